@@ -1,0 +1,34 @@
+# One interface target carries everything that each room and test is compiled with.
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
+
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
+endif()
+
+find_program(ARMCAL_CCACHE ccache)
+if(ARMCAL_CCACHE)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${ARMCAL_CCACHE})
+endif()
+
+add_library(armcal_compiler INTERFACE)
+target_compile_options(armcal_compiler INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wnon-virtual-dtor -Wold-style-cast
+  # The same readings must give the same digits on every build: no fused multiply-add behind our back.
+  -ffp-contract=off)
+if(ARMCAL_WERROR)
+  target_compile_options(armcal_compiler INTERFACE -Werror)
+endif()
+if(ARMCAL_SANITIZERS)
+  # Left out: checks that AddressSanitizer makes as well, or that x86 does not need; they double the
+  # compile time of every file that uses Eigen.
+  target_compile_options(armcal_compiler INTERFACE
+    -fsanitize=address,undefined -fno-sanitize=null,alignment,object-size,vptr
+    -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(armcal_compiler INTERFACE -fsanitize=address,undefined)
+endif()

@@ -1,0 +1,48 @@
+# Fails when a file of one room includes a header of a room that is not above it in ROOMS.
+#
+#   cmake -D SOURCE_DIR=src/armcal -P cmake/check_room_order.cmake
+
+cmake_minimum_required(VERSION 3.25)
+
+file(STRINGS ${SOURCE_DIR}/ROOMS lines REGEX "^[a-z]")
+set(level 0)
+set(rooms "")
+foreach(line IN LISTS lines)
+  string(REPLACE " " ";" names "${line}")
+  foreach(name IN LISTS names)
+    set(level_of_${name} ${level})
+    list(APPEND rooms ${name})
+  endforeach()
+  math(EXPR level "${level} + 1")
+endforeach()
+
+set(problems "")
+file(GLOB_RECURSE files RELATIVE ${SOURCE_DIR} ${SOURCE_DIR}/*.h ${SOURCE_DIR}/*.cc)
+foreach(file IN LISTS files)
+  if(file MATCHES "_test\\.cc$" OR file MATCHES "^testing/")
+    continue()
+  endif()
+  string(REGEX MATCH "^[^/]+" room "${file}")
+  if(NOT room IN_LIST rooms)
+    list(APPEND problems "src/armcal/${file}: error: room '${room}' is not listed in src/armcal/ROOMS")
+    continue()
+  endif()
+  file(STRINGS ${SOURCE_DIR}/${file} includes REGEX "^[ \t]*#[ \t]*include[ \t]*[<\"]armcal/")
+  foreach(include IN LISTS includes)
+    string(REGEX REPLACE ".*[<\"]armcal/([^/\">]+).*" "\\1" target "${include}")
+    if(target STREQUAL room)
+      continue()
+    endif()
+    if(NOT target IN_LIST rooms)
+      list(APPEND problems "src/armcal/${file}: error: includes unknown room '${target}': ${include}")
+    elseif(NOT level_of_${target} LESS level_of_${room})
+      list(APPEND problems
+        "src/armcal/${file}: error: room '${room}' may not include room '${target}' (order: src/armcal/ROOMS)")
+    endif()
+  endforeach()
+endforeach()
+
+if(problems)
+  list(JOIN problems "\n" text)
+  message(FATAL_ERROR "wrong order of dependency:\n${text}")
+endif()
