@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: the armcal authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+
+namespace armcal {
+
+// The decompositions that the rest of the house needs, on matrices of any size. They are compiled
+// here and nowhere else: each instance of Eigen's templates costs ten seconds of every build.
+
+/// The x of least |x| among those of least |A x - b|. Complete orthogonal decomposition (QR with
+/// column exchange), so rank-deficient A is welcome.
+[[nodiscard]] Eigen::VectorXd shortest_solution(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
+
+/// W with W W^T = (A^T A)^-1, by QR of A with its columns scaled to unit length; nothing when A has
+/// fewer rows than columns, is not finite, or a column depends on the others to rounding.
+[[nodiscard]] std::optional<Eigen::MatrixXd> inverse_factor(const Eigen::MatrixXd& a);
+
+/// A = u * diag(values) * v^T, values falling; u and v have min(rows, columns) columns.
+struct SingularValueDecomposition {
+  Eigen::MatrixXd u;
+  Eigen::VectorXd values;
+  Eigen::MatrixXd v;
+};
+/// One-sided Jacobi: small singular values keep their relative accuracy.
+[[nodiscard]] SingularValueDecomposition singular_value_decomposition(const Eigen::MatrixXd& a);
+
+/// Lengths of the columns, 1 where a column is zero: the scales that make mm and rad comparable.
+[[nodiscard]] Eigen::VectorXd column_scales(const Eigen::MatrixXd& a);
+
+}  // namespace armcal
