@@ -14,9 +14,14 @@ namespace {
 
 constexpr double kFirstDamping = 1e-4;
 constexpr double kLargestDamping = 1e12;
-// A step from which less than this share of the sum of squares is gained: not to be told from its
-// rounding.
-constexpr double kBlindGain = 1e-13;
+// Rounding of a sum of squares, as a share of it.
+constexpr double kSumRounding = 1e-13;
+
+// The least gain that a sum of squares can show: its own rounding, and that of the residuals in it.
+double visible_gain(double cost, Eigen::Index rows, double resolution) {
+  const double root = std::sqrt(cost) + resolution;
+  return kSumRounding * cost + 4.0 * root * resolution * std::sqrt(static_cast<double>(rows));
+}
 
 // The step that minimises |r + J s|^2 + damping |D s|^2, D the column norms of J.
 Eigen::VectorXd damped_step(const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& residuals,
@@ -57,7 +62,9 @@ SmallSolution solve_small_least_squares(const SmallProblem& problem, const Eigen
     const bool at_rest = undamped && change <= problem.residual_resolution;
     // Close to the optimum the sum of squares cannot tell a step from none (its change is of second
     // order), but the steps still shrink: follow them, or half of the digits stay unused.
-    const bool blind = undamped && changes.squaredNorm() <= kBlindGain * cost;
+    const bool blind =
+        undamped &&
+        changes.squaredNorm() <= visible_gain(cost, changes.size(), problem.residual_resolution);
     if (blind && !at_rest && change >= last_change) {
       solution.termination = SmallTermination::converged;
       return solution;
