@@ -64,7 +64,8 @@ struct Claim {
 
 /// Everything a *.symmetric.toml says.
 struct SymmetricPointProcedure {
-  std::string arm_file;  ///< path as resolved from the place of the procedure's file
+  std::string file;      ///< where it was read from
+  std::string arm_file;  ///< path as resolved from there
   std::vector<SymmetricReading> readings;
   std::vector<Claim> claims;
   /// Names or patterns of the parameters to estimate; empty: those that readings `solve`. "*" is
