@@ -139,6 +139,24 @@ DhTable by_common_normals(const ArmModel& arm) {
   return table;
 }
 
+// What the last row can say of the tool goes into it, so that a table comes back as it was.
+void move_tool_into_last_row(DhTable& table) {
+  RigidTransform& tool = table.last_from_tool;
+  DhRow& last = table.rows.back();
+  const Eigen::Vector3d angles = roll_pitch_yaw_from_rotation(tool.rotation);
+  if (table.convention == DhConvention::classic) {
+    const bool fits = tool.translation_mm.y() == 0.0 && angles.y() == 0.0 && angles.z() == 0.0;
+    if (!fits) return;
+    last.d_mm += tool.translation_mm.z();
+    last.a_mm = tool.translation_mm.x();
+    last.alpha_rad = angles.x();
+    tool = {};
+  } else if (tool.translation_mm.x() == 0.0 && tool.translation_mm.y() == 0.0) {
+    last.d_mm += tool.translation_mm.z();
+    tool.translation_mm.setZero();
+  }
+}
+
 }  // namespace
 
 std::string_view to_string(DhConvention convention) {
@@ -198,6 +216,7 @@ DhConversion dh_from_arm(const ArmModel& arm, DhConvention convention) {
     table.rows[0].a_mm = 0.0;
     table.rows[0].alpha_rad = 0.0;
   }
+  move_tool_into_last_row(table);
   for (std::size_t i = 0; i < arm.joints.size(); ++i) {
     const Joint& joint = arm.joints[i];
     if (!joint.harmonics.empty()) {

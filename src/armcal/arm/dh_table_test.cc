@@ -74,6 +74,21 @@ TEST(DhTable, ReturnsUnchangedFromAnArm) {
   }
 }
 
+TEST(DhTable, LastRowAndToolComeBackWhereATableHasThem) {
+  DhTable classic;
+  classic.rows = {{0.1, 376.5, -0.02, -1.57}, {0.2, 1.0, 62.1, 1.57}, {0.3, 15.07, 0.5, -0.4}};
+  const DhTable back = dh_from_arm(arm_from_dh(classic), DhConvention::classic).table;
+  EXPECT_EQ(back.rows[2].d_mm, 15.07);
+  EXPECT_EQ(back.rows[2].a_mm, 0.5);
+  EXPECT_DOUBLE_EQ(back.rows[2].alpha_rad, -0.4);
+  EXPECT_TRUE(back.last_from_tool.rotation.isIdentity(0.0));
+  DhTable modified = classic;
+  modified.convention = DhConvention::modified;
+  const DhTable again = dh_from_arm(arm_from_dh(modified), DhConvention::modified).table;
+  EXPECT_EQ(again.rows[2].d_mm, 15.07);
+  EXPECT_TRUE(again.last_from_tool.translation_mm.isZero(0.0));
+}
+
 TEST(DhTable, ExpressesAnyArmByCommonNormals) {
   // b, beta, joints that count backwards, a mount and a turned flange: none of them exists in a D-H
   // table.

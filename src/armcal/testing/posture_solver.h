@@ -9,8 +9,8 @@
 
 namespace armcal::testing {
 
-/// Encoder readings that put the tip on `target_mm`, near `start`, moving only the given joints (from 1).
-/// Damped Newton; the caller checks that it arrived.
+/// Encoder readings that put the tip on `target_mm`, near `start`, moving only the given joints
+/// (from 1). Damped Newton; the caller checks that it arrived.
 inline std::vector<double> posture_at(const ForwardKinematics& kinematics,
                                       const Eigen::Vector3d& target_mm, std::vector<double> start,
                                       const std::vector<int>& joints) {

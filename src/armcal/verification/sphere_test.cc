@@ -20,8 +20,8 @@ constexpr double kShownEnough = 0.1;
 
 void check(const SphereTestOptions& options) {
   if (!(options.certified_diameter_mm > 0.0)) {
-    throw std::invalid_argument(
-        fmt::format("certified diameter {} mm: must be larger than 0", options.certified_diameter_mm));
+    throw std::invalid_argument(fmt::format("certified diameter {} mm: must be larger than 0",
+                                            options.certified_diameter_mm));
   }
   if (!(options.tip_diameter_mm >= 0.0)) {
     throw std::invalid_argument(
@@ -53,14 +53,15 @@ SphereTest test_points(std::span<const Eigen::Vector3d> points, const SphereTest
   return test;
 }
 
-// How the radial residuals after the fit, and the fitted radius, answer to an error of each parameter.
+// How the radial residuals after the fit, and the fitted radius, answer to an error of each
+// parameter.
 std::vector<BlindSpot> blind_spots_of(const ArmModel& arm, const JointReadings& readings,
                                       const SphereFit& fit) {
   const ForwardKinematics kinematics(arm);
   const ParameterTable table(arm);
   const Eigen::Index count = readings.count();
   Eigen::MatrixXd radial(count, table.size());  // change of each tip's distance from the centre
-  Eigen::MatrixXd sphere(count, 4);             // the same for a shift of the sphere and a change of radius
+  Eigen::MatrixXd sphere(count, 4);  // the same for a shift of the sphere and a change of radius
   TipLinearisation at;
   for (Eigen::Index i = 0; i < count; ++i) {
     kinematics.linearise(readings.posture(i), at);
@@ -75,18 +76,22 @@ std::vector<BlindSpot> blind_spots_of(const ArmModel& arm, const JointReadings& 
 
   std::vector<BlindSpot> spots;
   for (int p = 0; p < table.size(); ++p) {
-    // Conventions of the base frame and of the last axis move no measured length; beta stands in for d.
+    // Conventions of the base frame and of the last axis move no measured length; beta stands in
+    // for d.
     const bool convention = table[p].name == "zero1" || table[p].name == "d2" ||
                             table[p].kind == ParameterKind::beta || table[p].harmonic > 0;
     if (convention) continue;
-    const double unit = table[p].unit == ParameterUnit::mm ? 1.0 : 1.0 / reach_mm(arm);
+    const bool is_length = table[p].unit == ParameterUnit::mm;
+    const double unit = is_length ? 1.0 : 1.0 / reach_mm(arm);
     const double form = unit * (left_over.col(p).maxCoeff() - left_over.col(p).minCoeff());
     const double diameter = unit * 2.0 * std::abs(answer(3, p));
     const double shown = std::max(form, diameter);
-    if (shown < kShownEnough) spots.push_back({table[p].name, shown});
+    if (shown < kShownEnough) spots.push_back({table[p].name, is_length, shown});
   }
-  std::stable_sort(spots.begin(), spots.end(),
-                   [](const BlindSpot& one, const BlindSpot& other) { return one.shown < other.shown; });
+  std::stable_sort(spots.begin(), spots.end(), [](const BlindSpot& one, const BlindSpot& other) {
+    if (one.is_length != other.is_length) return one.is_length;
+    return one.shown < other.shown;
+  });
   return spots;
 }
 
@@ -94,9 +99,12 @@ std::vector<BlindSpot> blind_spots_of(const ArmModel& arm, const JointReadings& 
 
 std::string_view to_string(Verdict verdict) {
   switch (verdict) {
-    case Verdict::not_judged: return "not_judged";
-    case Verdict::pass: return "pass";
-    case Verdict::fail: return "fail";
+    case Verdict::not_judged:
+      return "not_judged";
+    case Verdict::pass:
+      return "pass";
+    case Verdict::fail:
+      return "fail";
   }
   return "unknown";
 }

@@ -17,8 +17,9 @@ namespace {
 
 constexpr double kCertified = 15.8754;
 
-// Joint angles of an arm that touches points spread over the upper half of a sphere about `center`, from each of
-// the postures in turn: joints 1, 2 and the elbow, 4, bring the tip to the points while 3, 5 and 6 stay.
+// Joint angles of an arm that touches points spread over the upper half of a sphere about `center`,
+// from each of the postures in turn: joints 1, 2 and the elbow, 4, bring the tip to the points
+// while 3, 5 and 6 stay.
 JointReadings touched(const ArmModel& arm, const Eigen::Vector3d& center, double distance_mm,
                       const std::vector<std::vector<double>>& postures, int points_per_posture) {
   const ForwardKinematics kinematics(arm);
@@ -66,7 +67,8 @@ std::vector<std::vector<double>> five_articulations() {
 TEST(SphereTest, RightArmFindsTheCertifiedDiameter) {
   const ArmModel arm = testing::consistent_romer();
   const double tip_diameter = 6.0;
-  const auto readings = touched(arm, center_of_sphere(), (kCertified + tip_diameter) / 2, five_articulations(), 10);
+  const auto readings =
+      touched(arm, center_of_sphere(), (kCertified + tip_diameter) / 2, five_articulations(), 10);
   const SphereTest test = test_sphere(arm, readings, {kCertified, tip_diameter, {}, {}});
   ASSERT_TRUE(test.ok());
   EXPECT_NEAR(test.diameter_error_mm, 0.0, 1e-8);
@@ -76,8 +78,8 @@ TEST(SphereTest, RightArmFindsTheCertifiedDiameter) {
 }
 
 TEST(SphereTest, PrintedArmPassesByDiameterAndFailsByForm) {
-  // Finding of the recomputation: with the wrist held still the published set misses the diameter by about
-  // 0.1 mm only, but the form by millimetres.
+  // Finding of the recomputation: with the wrist held still the published set misses the diameter
+  // by about 0.1 mm only, but the form by millimetres.
   const auto readings =
       touched(testing::consistent_romer(), center_of_sphere(), kCertified / 2, {still_wrist()}, 25);
   const SphereTest test =
@@ -92,12 +94,14 @@ TEST(SphereTest, PrintedArmPassesByDiameterAndFailsByForm) {
 
 TEST(SphereTest, WarnsWhereAStillWristHidesErrors) {
   const ArmModel arm = testing::consistent_romer();
-  const SphereTest still = test_sphere(
-      arm, touched(arm, center_of_sphere(), kCertified / 2, {still_wrist()}, 25), {kCertified, 0.0, {}, {}});
+  const SphereTest still =
+      test_sphere(arm, touched(arm, center_of_sphere(), kCertified / 2, {still_wrist()}, 25),
+                  {kCertified, 0.0, {}, {}});
   EXPECT_GT(still.blind_spots.size(), 5u);
   EXPECT_LT(still.joint_spans_rad(5), 1e-9);
-  const SphereTest articulated = test_sphere(
-      arm, touched(arm, center_of_sphere(), kCertified / 2, five_articulations(), 5), {kCertified, 0.0, {}, {}});
+  const SphereTest articulated =
+      test_sphere(arm, touched(arm, center_of_sphere(), kCertified / 2, five_articulations(), 5),
+                  {kCertified, 0.0, {}, {}});
   EXPECT_EQ(articulated.blind_spots.size(), 0u)
       << articulated.blind_spots.front().parameter << " " << articulated.blind_spots.front().shown;
 }
@@ -136,8 +140,10 @@ TEST(SphereTest, RefusesWhatIsNoSphere) {
   for (int i = 0; i < 6; ++i) readings.points_mm.emplace_back(i, i * i, 0.0);
   EXPECT_EQ(test_sphere(readings, {kCertified, 0.0, {}, {}}).fit.status,
             FitStatus::points_are_coplanar);
-  EXPECT_THROW(static_cast<void>(test_sphere(readings, {-1.0, 0.0, {}, {}})), std::invalid_argument);
-  EXPECT_THROW(static_cast<void>(test_sphere(readings, {1.0, -1.0, {}, {}})), std::invalid_argument);
+  EXPECT_THROW(static_cast<void>(test_sphere(readings, {-1.0, 0.0, {}, {}})),
+               std::invalid_argument);
+  EXPECT_THROW(static_cast<void>(test_sphere(readings, {1.0, -1.0, {}, {}})),
+               std::invalid_argument);
 }
 
 }  // namespace

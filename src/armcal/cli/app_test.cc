@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: the armcal authors
+// SPDX-License-Identifier: Apache-2.0
+#include "armcal/cli/app.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "armcal/cli/command.h"
+#include "armcal/cli/commands.h"
+#include "armcal/testing/temporary_folder.h"
+#include "armcal/testing/tool.h"
+
+namespace armcal::cli {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+using testing::TemporaryFolder;
+using testing::tool;
+
+TEST(App, WithoutArgumentsShowsWhatItCan) {
+  const auto result = tool({});
+  EXPECT_EQ(result.code, kWrongInput);
+  EXPECT_THAT(result.out, IsEmpty());
+  EXPECT_THAT(result.err, HasSubstr("Usage: armcal COMMAND"));
+}
+
+TEST(App, HelpAndVersionGoToStandardOutput) {
+  EXPECT_THAT(tool({"--help"}).out, HasSubstr("symmetric-point"));
+  EXPECT_EQ(tool({"--help"}).code, kDone);
+  EXPECT_THAT(tool({"--version"}).out, HasSubstr("armcal 0."));
+}
+
+// Help of every verb names its arguments and shows examples.
+void expect_good_help(const Command& command, const std::vector<std::string>& path) {
+  std::vector<std::string> arguments = path;
+  arguments.push_back("--help");
+  const auto result = tool(arguments);
+  EXPECT_EQ(result.code, kDone);
+  EXPECT_THAT(result.out, HasSubstr("Usage: armcal"));
+  for (const Argument& argument : command.arguments) {
+    EXPECT_THAT(result.out, HasSubstr(argument.spellings().back())) << command.name;
+    EXPECT_FALSE(argument.help.empty());
+  }
+  if (command.subcommands.empty()) {
+    EXPECT_GE(command.examples.size(), 1u) << command.name;
+    EXPECT_THAT(result.out, HasSubstr("Examples"));
+  }
+  for (const Command& verb : command.subcommands) {
+    std::vector<std::string> longer = path;
+    longer.push_back(verb.name);
+    expect_good_help(verb, longer);
+  }
+}
+
+TEST(App, EveryVerbHasHelpWithExamples) {
+  for (const Command& command : all_commands()) expect_good_help(command, {command.name});
+}
+
+TEST(App, MistypedVerbsAndOptionsGetAProposal) {
+  EXPECT_THAT(tool({"ftt"}).err,
+              HasSubstr("unknown command \"ftt\"\n  help: did you mean \"fit\"?"));
+  EXPECT_THAT(tool({"register", "a", "b", "--scael"}).err,
+              HasSubstr("unknown option --scael\n  help: did you mean \"--scale\"?"));
+  EXPECT_THAT(tool({"fit", "circl", "x.csv"}).err,
+              HasSubstr("ELEMENT: \"circl\" is none of circle, sphere, plane, line; "
+                        "did you mean \"circle\"?"));
+  for (const auto& line : std::vector<std::vector<std::string>>{{"ftt"},
+                                                                {"register", "--scael"},
+                                                                {"fk"},
+                                                                {"fk", "a", "b", "c"},
+                                                                {"verify"},
+                                                                {"verify", "sphere", "x"}}) {
+    EXPECT_EQ(tool(line).code, kWrongInput);
+  }
+}
+
+TEST(App, SaysWhatIsMissingOrNoNumber) {
+  EXPECT_THAT(tool({"fk"}).err, HasSubstr("ARM is missing"));
+  EXPECT_THAT(tool({"fk", "a", "b", "c"}).err, HasSubstr("too many arguments: c"));
+  EXPECT_THAT(tool({"verify"}).err, HasSubstr("a command is missing\n  help: known: sphere"));
+  EXPECT_THAT(tool({"verify", "sphere", "x"}).err, HasSubstr("--diameter MM must be given"));
+  EXPECT_THAT(tool({"verify", "sphere", "x", "--diameter", "big"}).err,
+              HasSubstr("--diameter \"big\" is not a number"));
+  EXPECT_THAT(tool({"fk", "a", "b", "--map", "q1_deg"}).err,
+              HasSubstr("--map q1_deg: expected OURS=THEIRS"));
+}
+
+TEST(App, JsonModeTellsErrorsAsJsonToo) {
+  const auto missing = tool({"fit", "sphere", "no-such.csv", "--json"});
+  EXPECT_EQ(missing.code, kWrongInput);
+  EXPECT_THAT(missing.err, HasSubstr("no-such.csv: error: cannot open"));
+  const auto json = nlohmann::json::parse(missing.out);
+  EXPECT_EQ(json["error"]["exit_code"], 2);
+  EXPECT_EQ(json["error"]["problems"][0]["file"], "no-such.csv");
+  EXPECT_EQ(nlohmann::json::parse(tool({"ftt", "--json"}).out)["error"]["exit_code"], 2);
+}
+
+TEST(App, ColorsOnlyWhenAsked) {
+  EXPECT_THAT(tool({"ftt"}).err, Not(HasSubstr("\x1b[")));
+  EXPECT_THAT(tool({"fit", "sphere", "no-such.csv", "--color", "always"}).err,
+              HasSubstr("\x1b[1;31merror:\x1b[0m"));
+}
+
+TEST(App, QuietKeepsWarningsBack) {
+  const TemporaryFolder folder;
+  const std::string points = folder.write("p.csv", "1 2\n4 5\n7 9\n");
+  EXPECT_THAT(tool({"fit", "circle", points}).err, HasSubstr("warning: has no header"));
+  EXPECT_THAT(tool({"fit", "circle", points, "--quiet"}).err, IsEmpty());
+}
+
+TEST(App, GivesDevicesThatFailCode5) {
+  const TemporaryFolder folder;
+  const std::string arm = testing::example("arms/ur10.arm.toml");
+  const std::string angles = testing::example("angles/six-joints.csv");
+  const auto full = tool({"fk", arm, angles, "-o", "/dev/full"});
+  EXPECT_EQ(full.code, kDeviceFailure);
+  EXPECT_THAT(full.err, HasSubstr("/dev/full: cannot write: No space left on device"));
+  EXPECT_EQ(tool({"fk", arm, angles, "-o", "/no/such/folder/x.csv"}).code, kDeviceFailure);
+}
+
+TEST(App, StopsWhenInterrupted) {
+  const TemporaryFolder folder;
+  const std::string output = folder.path("tips.csv");
+  std::stop_source source;
+  source.request_stop();
+  const auto result = tool({"fk", testing::example("arms/ur10.arm.toml"),
+                            testing::example("angles/six-joints.csv"), "-o", output},
+                           source.get_token());
+  EXPECT_EQ(result.code, kInterrupted);
+  EXPECT_FALSE(std::filesystem::exists(output));
+}
+
+}  // namespace
+}  // namespace armcal::cli

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: the armcal authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <iosfwd>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "armcal/core/progress.h"
+#include "armcal/io/output_file.h"
+#include "armcal/report/document.h"
+
+namespace armcal::cli {
+
+/// Exit codes of the tool: a contract, tested, never changed (docs/commands/exit-codes.md).
+enum ExitCode : int {
+  kDone = 0,
+  kDoesNotConform = 1,
+  kWrongInput = 2,
+  kUndecided = 3,
+  kNumericalFailure = 4,
+  kDeviceFailure = 5,
+  kBug = 70,
+  kInterrupted = 130,
+};
+
+/// Where a typed value goes.
+using Target = std::variant<bool*, std::string*, std::optional<std::string>*,
+                            std::optional<double>*, std::vector<std::string>*>;
+
+/// One flag or positional argument. This one definition feeds parsing, help and the check of
+/// mistyped flags.
+struct Argument {
+  std::string name;  ///< "ARM" (positional), "--scale", "-o,--output"
+  std::string help;
+  Target target;
+  std::string value_name = {};  ///< "FILE"; for flags with a value
+  bool required = false;        ///< positionals are required unless their target is optional
+  std::vector<std::string> choices = {};  ///< the only values allowed; empty: any
+
+  [[nodiscard]] bool is_positional() const { return name.front() != '-'; }
+  /// Spellings of a flag: {"-o", "--output"}.
+  [[nodiscard]] std::vector<std::string> spellings() const;
+};
+
+/// What a running command may use.
+struct Context {
+  std::ostream& out;  ///< the result, and nothing else
+  std::ostream& err;  ///< warnings, progress
+  Monitor monitor;
+  bool json = false;
+  bool quiet = false;
+  Overwrite overwrite = Overwrite::refuse;
+  std::string command;  ///< "fit circle"
+
+  /// Prints warnings to err (unless quiet) and the result to out: `text`, or with --json the
+  /// document.
+  void emit(const std::vector<InputRecord>& inputs, const Diagnostics& diagnostics,
+            const Json& json, const std::string& text) const;
+};
+
+/// A verb of the tool: what it is called, what it takes, what it does.
+struct Command {
+  std::string name;
+  std::string brief;        ///< one line
+  std::string description;  ///< a paragraph for --help; may be empty
+  std::vector<Argument> arguments;
+  std::vector<std::string> examples;  ///< whole command lines that work in the repository
+  std::function<int(const Context&)> run;
+  std::vector<Command> subcommands = {};
+};
+
+/// The text of `armcal NAME --help`.
+[[nodiscard]] std::string help_text(const Command& command, const std::string& full_name);
+
+}  // namespace armcal::cli

@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: the armcal authors
+// SPDX-License-Identifier: Apache-2.0
+#include "armcal/cli/commands.h"
+
+namespace armcal::cli {
+
+std::vector<Command> all_commands() {
+  return {demo_command(),
+          fk_command(),
+          fit_command(),
+          register_command(),
+          symmetric_point_command(),
+          verify_command(),
+          convert_command()};
+}
+
+}  // namespace armcal::cli

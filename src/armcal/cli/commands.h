@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: the armcal authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "armcal/cli/command.h"
+
+namespace armcal::cli {
+
+// One file per verb. A new verb is a new file here, a line below, and a line in commands.cc.
+[[nodiscard]] Command convert_command();
+[[nodiscard]] Command demo_command();
+[[nodiscard]] Command fit_command();
+[[nodiscard]] Command fk_command();
+[[nodiscard]] Command register_command();
+[[nodiscard]] Command symmetric_point_command();
+[[nodiscard]] Command verify_command();
+
+/// All verbs, in the order of `armcal --help`.
+[[nodiscard]] std::vector<Command> all_commands();
+
+}  // namespace armcal::cli

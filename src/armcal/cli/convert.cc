@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: the armcal authors
+// SPDX-License-Identifier: Apache-2.0
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "armcal/cli/commands.h"
+#include "armcal/cli/table_flags.h"
+#include "armcal/workflow/conversion.h"
+
+namespace armcal::cli {
+namespace {
+
+struct Flags {
+  std::string input;
+  std::optional<std::string> output;
+  std::optional<std::string> from;
+  std::string to = "arm";
+  bool csv = false;
+  TableFlags table;
+};
+
+int run_convert(const Flags& flags, const Context& context) {
+  if (flags.output) check_may_write(*flags.output, context.overwrite);
+  InputFiles files(context.monitor);
+  ConversionRequest request;
+  request.input = flags.input;
+  if (flags.from) request.from = arm_format(*flags.from);
+  request.to = arm_format(flags.to).value();
+  request.as_csv = flags.csv || (flags.output && flags.output->ends_with(".csv"));
+  std::string text = convert(files, request, flags.table.options());
+  Json json;
+  json["format"] = flags.to;
+  json["text"] = text;
+  if (flags.output) {
+    write_file(*flags.output, text, context.overwrite);
+    text.clear();
+  }
+  context.emit(files.records(), files.diagnostics(), json, text);
+  return kDone;
+}
+
+}  // namespace
+
+Command convert_command() {
+  const auto flags = std::make_shared<Flags>();
+  Command command;
+  command.name = "convert";
+  command.brief = "arm files from and to D-H tables, with the same poses";
+  command.description =
+      "Reads an arm file, a D-H file (*.dh.toml) or a spreadsheet theta_deg,d_mm,a_mm,alpha_deg "
+      "(then --from tells the\n"
+      "convention). What the target cannot say is warned of.";
+  const std::vector<std::string> formats = {"arm", "dh-classic", "dh-modified"};
+  command.arguments = joined(
+      {{"INPUT", "description of an arm; - for standard input", &flags->input},
+       {"--to", "format to write", &flags->to, "FORMAT", false, formats},
+       {"--from",
+        "convention of a spreadsheet",
+        &flags->from,
+        "FORMAT",
+        false,
+        {"dh-classic", "dh-modified"}},
+       {"--csv", "write a D-H table as a spreadsheet (also by an output name *.csv)", &flags->csv},
+       {"-o,--output", "write here instead of to standard output", &flags->output, "FILE"}},
+      {{"--map", "our column names by those of the file: theta_deg=Theta,d_mm=D", &flags->table.map,
+        "OURS=THEIRS"}});
+  command.examples = {
+      "armcal convert examples/arms/puma-560.arm.toml --to dh-classic --csv",
+      "armcal convert examples/arms/romer-infinite-2.0.arm.toml --to dh-modified -o romer.dh.toml",
+      "armcal convert table.csv --from dh-modified -o my.arm.toml"};
+  command.run = [flags](const Context& context) { return run_convert(*flags, context); };
+  return command;
+}
+
+}  // namespace armcal::cli

@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: the armcal authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "armcal/cli/command.h"
+#include "armcal/testing/temporary_folder.h"
+#include "armcal/testing/tool.h"
+
+namespace armcal::cli {
+namespace {
+
+using testing::example;
+using ::testing::HasSubstr;
+using testing::read_bytes;
+using testing::TemporaryFolder;
+using testing::tool;
+
+TEST(ConvertCommand, WritesTheTableOfARobot) {
+  const auto result =
+      tool({"convert", example("arms/puma-560.arm.toml"), "--to", "dh-classic", "--csv"});
+  EXPECT_EQ(result.code, kDone);
+  EXPECT_EQ(
+      result.out,
+      "theta_deg,d_mm,a_mm,alpha_deg\n0.0,0.0,0.0,90.0\n0.0,0.0,431.8,0.0\n0.0,150.05,20.3,-90.0\n"
+      "0.0,431.8,0.0,90.0\n0.0,0.0,0.0,-90.0\n0.0,0.0,0.0,0.0\n");
+}
+
+TEST(ConvertCommand, AnOutputNamedCsvIsASpreadsheet) {
+  const TemporaryFolder folder;
+  const std::string csv = folder.path("panda.csv");
+  EXPECT_EQ(
+      tool({"convert", example("arms/panda.arm.toml"), "--to", "dh-modified", "-o", csv}).code,
+      kDone);
+  EXPECT_THAT(read_bytes(csv), HasSubstr("0.0,107.0,88.0,90.0\n"));
+  const std::string arm = folder.path("panda.arm.toml");
+  EXPECT_EQ(tool({"convert", csv, "--from", "dh-modified", "-o", arm}).code, kDone);
+  EXPECT_THAT(read_bytes(arm), HasSubstr("a_mm = 82.5\nalpha_deg = 90.0\n"));
+}
+
+TEST(ConvertCommand, AnArmFileComesThroughUnchanged) {
+  const TemporaryFolder folder;
+  const std::string once = folder.path("once.arm.toml");
+  ASSERT_EQ(tool({"convert", example("arms/gao-2018.arm.toml"), "-o", once}).code, kDone);
+  EXPECT_EQ(tool({"convert", once}).out, read_bytes(once));
+  EXPECT_THAT(read_bytes(once), HasSubstr("alpha_deg = -89.9683\n"));
+}
+
+TEST(ConvertCommand, SaysWhatATableCannotHold) {
+  const auto result = tool({"convert", example("arms/seven-joint.arm.toml"), "--to", "dh-classic"});
+  EXPECT_EQ(result.code, kDone);
+  EXPECT_THAT(result.err,
+              HasSubstr("a D-H table has no place for the limits of joint 1: left out"));
+  const auto csv =
+      tool({"convert", example("arms/gao-2018.arm.toml"), "--to", "dh-classic", "--csv"});
+  EXPECT_EQ(csv.code, kWrongInput);
+  EXPECT_THAT(csv.err, HasSubstr("has a base or tool pose"));
+}
+
+TEST(ConvertCommand, RefusesNearlyParallelAxesWithCode4) {
+  const TemporaryFolder folder;
+  const auto result =
+      tool({"convert",
+            folder.write("a.arm.toml",
+                         "schema = \"armcal.arm/1\"\n[[link]]\na_mm = 600\nbeta_deg = 1e-4\n"),
+            "--to", "dh-classic"});
+  EXPECT_EQ(result.code, kNumericalFailure);
+  EXPECT_THAT(result.err, HasSubstr("axes 1 and 2 are 0.0001 deg from parallel"));
+}
+
+}  // namespace
+}  // namespace armcal::cli

@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: the armcal authors
+// SPDX-License-Identifier: Apache-2.0
+#include "armcal/symmetric_point/analysis.h"
+
+#include <algorithm>
+#include <set>
+
+#include "armcal/arm/parameter_table.h"
+#include "armcal/symmetric_point/reading_model.h"
+
+namespace armcal {
+namespace {
+
+// Lengths of an arm that was computed elsewhere are good to their last printed digit.
+constexpr double kComparedUncertainty_mm = 0.0005;
+
+std::vector<int> asked_unknowns(const SymmetricPointProcedure& procedure,
+                                const ParameterTable& table) {
+  std::set<int> chosen;
+  if (procedure.unknowns.empty()) {
+    for (const SymmetricReading& reading : procedure.readings) {
+      if (!reading.solves.empty()) chosen.insert(table.find(reading.solves).value());
+    }
+  }
+  for (const std::string& pattern : procedure.unknowns) {
+    for (const int index : table.matching(pattern)) chosen.insert(index);
+  }
+  for (const std::string& pattern : procedure.hold) {
+    for (const int index : table.matching(pattern)) chosen.erase(index);
+  }
+  return {chosen.begin(), chosen.end()};
+}
+
+std::vector<Claim> claims_of(const ArmModel& arm) {
+  const ParameterTable table(arm);
+  std::vector<Claim> claims;
+  for (const Parameter& parameter : table.parameters()) {
+    if (parameter.unit == ParameterUnit::mm && parameter.nominal != 0.0) {
+      claims.push_back({parameter.name, parameter.nominal, kComparedUncertainty_mm, {}});
+    }
+  }
+  return claims;
+}
+
+Eigen::VectorXd predictions(const ArmModel& arm, const std::vector<SymmetricReading>& readings) {
+  Eigen::VectorXd values(static_cast<Eigen::Index>(readings.size()));
+  for (std::size_t i = 0; i < readings.size(); ++i) {
+    values(static_cast<Eigen::Index>(i)) = predict(arm, readings[i]).value;
+  }
+  return values;
+}
+
+bool reduce_all(const std::vector<SymmetricReading>& raw, SymmetricPointAnalysis& analysis,
+                Diagnostics& diagnostics) {
+  bool good = true;
+  for (const SymmetricReading& reading : raw) {
+    const auto reduced = reduce(reading, analysis.nominal, diagnostics);
+    good = good && reduced.has_value();
+    if (!reduced) continue;
+    analysis.readings.push_back(reduced->reading);
+    if (!reading.reduced) analysis.reductions.push_back(reduced->reduction);
+  }
+  return good;
+}
+
+}  // namespace
+
+bool SymmetricPointAnalysis::is_consistent() const {
+  return adjustment.ok() && !adjustment.has_flagged() &&
+         std::all_of(claims.begin(), claims.end(),
+                     [](const ClaimCheck& claim) { return claim.agrees; });
+}
+
+std::optional<SymmetricPointAnalysis> analyse_symmetric_points(
+    const SymmetricPointProcedure& procedure, const ArmModel& nominal,
+    const std::optional<ArmModel>& compared, Diagnostics& diagnostics) {
+  SymmetricPointAnalysis analysis;
+  analysis.nominal = nominal;
+  if (!reduce_all(procedure.readings, analysis, diagnostics)) return std::nullopt;
+  analysis.signs = search_signs(nominal, analysis.readings, procedure.unknown_signs);
+  analysis.nominal = analysis.signs.front().arm;
+  if (!procedure.unknown_signs.empty()) {
+    // A zero search is reduced with the shape of the nominal arm: once more, with its signs
+    // settled.
+    analysis.readings.clear();
+    analysis.reductions.clear();
+    if (!reduce_all(procedure.readings, analysis, diagnostics)) return std::nullopt;
+  }
+  analysis.predicted_by_nominal = predictions(analysis.nominal, analysis.readings);
+
+  const ParameterTable table(analysis.nominal);
+  AdjustmentOptions options;
+  options.unknowns = asked_unknowns(procedure, table);
+  options.significance = procedure.significance;
+  options.power = procedure.power;
+  analysis.adjustment = adjust(analysis.nominal, analysis.readings, options);
+
+  const bool has_chain =
+      std::any_of(analysis.readings.begin(), analysis.readings.end(),
+                  [](const SymmetricReading& reading) { return !reading.solves.empty(); });
+  if (has_chain) analysis.chain = solve_chain(analysis.nominal, analysis.readings);
+  if (analysis.chain && analysis.chain->complete) {
+    analysis.leakage = leakage_of_chain(analysis.chain->arm, analysis.readings);
+    analysis.leakage_of_chain = true;
+  } else if (analysis.adjustment.ok()) {
+    analysis.leakage = leakage_of_adjustment(analysis.adjustment.arm, analysis.readings,
+                                             analysis.adjustment.unknowns);
+  }
+  const std::vector<Claim> claims = compared ? claims_of(*compared) : procedure.claims;
+  if (analysis.adjustment.ok()) {
+    analysis.claims =
+        check_claims(analysis.nominal, analysis.readings, options, analysis.adjustment, claims);
+  }
+  if (compared) {
+    analysis.compared = compared;
+    analysis.predicted_by_compared = predictions(*compared, analysis.readings);
+  }
+  return analysis;
+}
+
+}  // namespace armcal

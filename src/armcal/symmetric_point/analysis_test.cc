@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: the armcal authors
+// SPDX-License-Identifier: Apache-2.0
+#include "armcal/symmetric_point/analysis.h"
+
+#include <gtest/gtest.h>
+
+#include "armcal/testing/wang2016_arm.h"
+
+namespace armcal {
+namespace {
+
+SymmetricPointProcedure paper(double l_PP3) {
+  SymmetricPointProcedure procedure;
+  procedure.readings = testing::wang2016_readings(l_PP3);
+  return procedure;
+}
+
+TEST(Analysis, ConsistentReadingsWithoutClaimsAreConsistent) {
+  Diagnostics diagnostics;
+  const auto analysis =
+      analyse_symmetric_points(paper(104.700), testing::nominal_romer(), {}, diagnostics);
+  ASSERT_TRUE(analysis.has_value());
+  EXPECT_TRUE(analysis->is_consistent());
+  EXPECT_TRUE(analysis->leakage_of_chain);
+  EXPECT_EQ(analysis->adjustment.unknowns.size(), 5u);  // what the readings solve
+  EXPECT_NEAR(analysis->predicted_by_nominal(0), 350.0, 1e-9);
+}
+
+TEST(Analysis, SettlesUnknownSignsFirst) {
+  SymmetricPointProcedure procedure = paper(104.700);
+  procedure.unknown_signs = {"a5", "a7", "direction4", "direction6"};
+  Diagnostics diagnostics;
+  const auto analysis = analyse_symmetric_points(
+      procedure, testing::romer_arm(80, 25, 750, 530, 175, 0), {}, diagnostics);
+  ASSERT_TRUE(analysis.has_value());
+  EXPECT_EQ(analysis->signs.size(), 16u);
+  EXPECT_EQ(analysis->nominal.tip.a_mm, -25.0);
+  EXPECT_NEAR(analysis->adjustment.arm.links[3].a_mm, 78.312, 0.001);
+}
+
+TEST(Analysis, HoldsASecondArmAgainstTheReadings) {
+  Diagnostics diagnostics;
+  const auto analysis = analyse_symmetric_points(paper(104.070), testing::nominal_romer(),
+                                                 testing::printed_romer(), diagnostics);
+  ASSERT_TRUE(analysis.has_value());
+  EXPECT_FALSE(analysis->is_consistent());
+  EXPECT_EQ(analysis->claims.size(), 6u);
+  EXPECT_GT(std::abs(analysis->predicted_by_compared(2) - 104.070), 300.0);
+}
+
+TEST(Analysis, PatternsChooseWhatIsEstimated) {
+  SymmetricPointProcedure procedure = paper(104.700);
+  procedure.unknowns = {"a*", "b*"};
+  procedure.hold = {"a2", "a3", "a4", "a6", "b2", "b4", "b6"};
+  Diagnostics diagnostics;
+  const auto analysis =
+      analyse_symmetric_points(procedure, testing::nominal_romer(), {}, diagnostics);
+  ASSERT_TRUE(analysis.has_value());
+  EXPECT_EQ(analysis->adjustment.unknowns.size(), 5u);
+}
+
+}  // namespace
+}  // namespace armcal

@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: the armcal authors
+// SPDX-License-Identifier: Apache-2.0
+#include "armcal/workflow/conversion.h"
+
+#include <fmt/format.h>
+
+#include "armcal/arm/dh_table.h"
+#include "armcal/io/arm_file.h"
+#include "armcal/io/dh_file.h"
+
+namespace armcal {
+namespace {
+
+bool looks_like_toml(const TextFile& file) {
+  return file.text.find("schema") != std::string::npos && file.text.find('=') != std::string::npos;
+}
+
+std::optional<ArmModel> read_any(InputFiles& files, const ConversionRequest& request,
+                                 const TableOptions& options) {
+  auto file = files.text(request.input, kLargestConfiguration_bytes);
+  if (!file) return std::nullopt;
+  Diagnostics& diagnostics = files.diagnostics();
+  if (looks_like_toml(*file)) {
+    if (file->text.find("armcal.dh/") == std::string::npos) return read_arm(*file, diagnostics);
+    const auto table = read_dh(*file, diagnostics);
+    return table ? std::optional(arm_from_dh(*table)) : std::nullopt;
+  }
+  if (!request.from || *request.from == ArmFormat::arm) {
+    diagnostics.error({request.input, 0, 0},
+                      "is no arm file; is it a D-H table? then its convention must be told",
+                      "give --from dh-classic or --from dh-modified");
+    return std::nullopt;
+  }
+  const auto csv = CsvTable::parse(std::move(*file), options.map, diagnostics);
+  if (!csv) return std::nullopt;
+  const auto convention =
+      *request.from == ArmFormat::dh_classic ? DhConvention::classic : DhConvention::modified;
+  const auto table = dh_from_csv(*csv, convention, diagnostics);
+  return table ? std::optional(arm_from_dh(*table)) : std::nullopt;
+}
+
+bool is_identity(const RigidTransform& pose) {
+  return pose.rotation.isIdentity(0.0) && pose.translation_mm.isZero(0.0);
+}
+
+}  // namespace
+
+std::optional<ArmFormat> arm_format(std::string_view name) {
+  if (name == "arm") return ArmFormat::arm;
+  if (name == "dh-classic") return ArmFormat::dh_classic;
+  if (name == "dh-modified") return ArmFormat::dh_modified;
+  return std::nullopt;
+}
+
+std::string convert(InputFiles& files, const ConversionRequest& request,
+                    const TableOptions& options) {
+  const auto arm = read_any(files, request, options);
+  files.require_good();
+  if (request.to == ArmFormat::arm) return arm_text(*arm);
+  const auto convention =
+      request.to == ArmFormat::dh_classic ? DhConvention::classic : DhConvention::modified;
+  const DhConversion conversion = dh_from_arm(*arm, convention);
+  for (const std::string& lost : conversion.lost) {
+    files.diagnostics().warning({request.input, 0, 0},
+                                fmt::format("a D-H table has no place for the {}: left out", lost));
+  }
+  if (!request.as_csv) return dh_text(conversion.table);
+  if (!is_identity(conversion.table.base_from_first) ||
+      !is_identity(conversion.table.last_from_tool)) {
+    files.diagnostics().error({request.input, 0, 0},
+                              "has a base or tool pose, for which a table of rows has no place",
+                              "write it as *.dh.toml, or give --to arm");
+    files.require_good();
+  }
+  return dh_csv_text(conversion.table);
+}
+
+}  // namespace armcal
