@@ -8,6 +8,13 @@ add_custom_target(room_order ALL
           -P ${PROJECT_SOURCE_DIR}/cmake/check_room_order.cmake
   COMMENT "Checking the order of dependency between rooms" VERBATIM)
 
+# Headers that nearly every source includes, parsed once. Each file still includes what it uses: the install test
+# compiles the public headers without these.
+add_library(armcal_common_headers OBJECT EXCLUDE_FROM_ALL ${PROJECT_SOURCE_DIR}/cmake/precompiled.cc)
+target_precompile_headers(armcal_common_headers PRIVATE
+  <Eigen/Core> <algorithm> <functional> <map> <optional> <string> <vector>)
+target_link_libraries(armcal_common_headers PRIVATE armcal_compiler Eigen3::Eigen)
+
 function(armcal_room name)
   cmake_parse_arguments(ROOM "" "" "FILES;LINKS;PRIVATE_LINKS" ${ARGN})
   set(sources "")
@@ -41,11 +48,13 @@ function(armcal_room name)
   target_link_libraries(armcal_${name}
     PUBLIC ${ROOM_LINKS}
     PRIVATE $<BUILD_INTERFACE:armcal_compiler> ${ROOM_PRIVATE_LINKS})
+  target_precompile_headers(armcal_${name} REUSE_FROM armcal_common_headers)
   add_dependencies(armcal_${name} room_order)
   set_property(GLOBAL APPEND PROPERTY ARMCAL_ROOMS armcal_${name})
 
   if(ARMCAL_TESTS AND tests)
     add_executable(armcal_${name}_test ${tests})
+    target_precompile_headers(armcal_${name}_test REUSE_FROM armcal_test_headers)
     target_link_libraries(armcal_${name}_test PRIVATE
       armcal_${name} armcal_testing armcal_compiler rapidcheck rapidcheck_gtest GTest::gmock GTest::gtest_main)
     add_test(NAME ${name} COMMAND armcal_${name}_test)

@@ -5,8 +5,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
-
 #include "armcal/cli/command.h"
 #include "armcal/cli/commands.h"
 #include "armcal/testing/temporary_folder.h"
@@ -93,10 +91,10 @@ TEST(App, JsonModeTellsErrorsAsJsonToo) {
   const auto missing = tool({"fit", "sphere", "no-such.csv", "--json"});
   EXPECT_EQ(missing.code, kWrongInput);
   EXPECT_THAT(missing.err, HasSubstr("no-such.csv: error: cannot open"));
-  const auto json = nlohmann::json::parse(missing.out);
+  const auto json = missing.json();
   EXPECT_EQ(json["error"]["exit_code"], 2);
   EXPECT_EQ(json["error"]["problems"][0]["file"], "no-such.csv");
-  EXPECT_EQ(nlohmann::json::parse(tool({"ftt", "--json"}).out)["error"]["exit_code"], 2);
+  EXPECT_EQ(tool({"ftt", "--json"}).json()["error"]["exit_code"], 2);
 }
 
 TEST(App, ColorsOnlyWhenAsked) {

@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <numbers>
+#include <numeric>
 #include <tuple>
 
 #include "armcal/core/spelling.h"
@@ -180,13 +180,28 @@ std::optional<std::vector<std::size_t>> joint_columns(const CsvTable& table, int
 
 void check_duplicates(const CsvTable& table, const std::vector<Eigen::Vector3d>& points,
                       Diagnostics& diagnostics) {
-  std::map<std::tuple<double, double, double>, int> first_line;
-  for (std::size_t row = 0; row < points.size(); ++row) {
+  // Sorted, equal points stand together, each group in the order of the file.
+  std::vector<std::size_t> order(points.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto key = [&](std::size_t row) {
     const Eigen::Vector3d& p = points[row];
-    const auto [entry, is_new] = first_line.try_emplace({p.x(), p.y(), p.z()}, table.line(row));
-    if (is_new) continue;
+    return std::tuple(p.x(), p.y(), p.z(), row);
+  };
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t one, std::size_t other) { return key(one) < key(other); });
+  std::vector<std::pair<std::size_t, std::size_t>> repeats;  // row, and the first one like it
+  std::size_t first = 0;
+  for (std::size_t i = 1; i < order.size(); ++i) {
+    if (points[order[i]] == points[order[first]]) {
+      repeats.emplace_back(order[i], order[first]);
+    } else {
+      first = i;
+    }
+  }
+  std::sort(repeats.begin(), repeats.end());
+  for (const auto& [row, original] : repeats) {
     diagnostics.error({table.file().path, table.line(row), 0},
-                      fmt::format("repeats the point of line {}", entry->second),
+                      fmt::format("repeats the point of line {}", table.line(original)),
                       "delete it, or give --keep-duplicates if it was measured twice");
   }
 }
@@ -232,7 +247,7 @@ std::optional<std::vector<Eigen::Vector3d>> coordinates(const CsvTable& table, b
 std::optional<CsvTable> with_coordinate_names(const CsvTable& table, Diagnostics& diagnostics) {
   const std::size_t count = table.columns().size();
   ColumnMap map = {{"x_mm", "1"}, {"y_mm", "2"}};
-  if (count == 3) map["z_mm"] = "3";
+  if (count == 3) map.emplace("z_mm", "3");
   diagnostics.warning({table.file().path, 0, 0},
                       fmt::format("has no header: its {} columns are taken as {}", count,
                                   count == 3 ? "x_mm,y_mm,z_mm" : "x_mm,y_mm"));
