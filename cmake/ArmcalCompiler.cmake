@@ -35,6 +35,10 @@ if(ARMCAL_SANITIZERS)
     -fsanitize=address,undefined -fno-sanitize=null,alignment,object-size,vptr
     -fno-sanitize-recover=all -fno-omit-frame-pointer
     # Instrumented code makes GCC guess wrong here; the Release build keeps this warning.
-    -Wno-maybe-uninitialized)
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   target_link_options(armcal_compiler INTERFACE -fsanitize=address,undefined)
+endif()
+if(ARMCAL_FUZZERS)
+  # The fuzzer steers by the branches that an input takes.
+  target_compile_options(armcal_compiler INTERFACE -fsanitize=fuzzer-no-link)
 endif()

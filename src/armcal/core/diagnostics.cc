@@ -41,16 +41,14 @@ void Diagnostics::warning(SourcePosition where, std::string message, std::string
 void Diagnostics::append(const Diagnostics& other) {
   for (const Diagnostic& entry : other.entries_) add(entry);
   for (const auto& [file, count] : other.counts_) {
-    const auto kept = [&](Severity severity) {
-      std::size_t n = 0;
-      for (const Diagnostic& entry : other.entries_) {
-        if (entry.severity == severity && entry.where.file == file) ++n;
-      }
-      return n;
-    };
-    const std::size_t hidden_errors = count.errors - kept(Severity::error);
+    Count kept;
+    for (const Diagnostic& entry : other.entries_) {
+      if (entry.where.file != file) continue;
+      ++(entry.severity == Severity::error ? kept.errors : kept.warnings);
+    }
+    const std::size_t hidden_errors = count.errors - kept.errors;
     counts_[file].errors += hidden_errors;
-    counts_[file].warnings += count.warnings - kept(Severity::warning);
+    counts_[file].warnings += count.warnings - kept.warnings;
     error_count_ += hidden_errors;
   }
 }

@@ -4,17 +4,74 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+// toml++ 3.3 asserts that the name of a table begins with a letter, digit or quote, where it should
+// complain; and without assertions it takes that for granted. So they stay on, and throw.
+#ifdef NDEBUG
+#undef NDEBUG
+#define ARMCAL_HAD_NDEBUG
+#endif
+namespace armcal {
+static constexpr void toml_expects(bool condition) {
+  if (!condition) throw std::logic_error("toml++ did not expect this");
+}
+}  // namespace armcal
+#define TOML_ASSERT(condition) ::armcal::toml_expects(static_cast<bool>(condition))
 #define TOML_HEADER_ONLY 1
 #define TOML_ENABLE_FORMATTERS 0
 #include <toml++/toml.h>
-#include <algorithm>
-#include <cmath>
+#ifdef ARMCAL_HAD_NDEBUG
+#define NDEBUG
+#endif
 
 #include "armcal/core/invariant.h"
 #include "armcal/core/spelling.h"
 
 namespace armcal {
 namespace {
+
+// toml++ 3.3 leaves defined behaviour when it asks whether some letters outside ASCII are white
+// space
+// (`is_non_ascii_horizontal_whitespace`). It never asks of those beyond U+FFFF, so while it parses,
+// every character from U+0080 to U+FFFF stands in private use plane 15, as U+F0000 more.
+
+std::string in_plane_15(std::string_view utf8) {
+  std::string result;
+  result.reserve(utf8.size());
+  for (std::size_t i = 0; i < utf8.size(); ++i) {
+    const int lead = static_cast<unsigned char>(utf8[i]);
+    if (lead >= 0xC0 && lead < 0xE0) {
+      result += {'\xF3', '\xB0', static_cast<char>(0x80 | (lead & 0x1F))};
+    } else if (lead >= 0xE0 && lead < 0xF0) {
+      result += {'\xF3', static_cast<char>(0xB0 | (lead & 0x0F))};
+    } else {
+      result += utf8[i];
+    }
+  }
+  return result;
+}
+
+std::string from_plane_15(std::string_view utf8) {
+  std::string result;
+  result.reserve(utf8.size());
+  for (std::size_t i = 0; i < utf8.size(); ++i) {
+    if (utf8[i] != '\xF3' || i + 3 >= utf8.size()) {
+      result += utf8[i];
+      continue;
+    }
+    const int second = static_cast<unsigned char>(utf8[++i]);
+    const int third = static_cast<unsigned char>(utf8[++i]);
+    if (second == 0xB0 && third < 0xA0) {
+      result += static_cast<char>(0xC0 | (third & 0x1F));
+    } else {
+      result += {static_cast<char>(0xE0 | (second & 0x0F)), static_cast<char>(third)};
+    }
+  }
+  return result;
+}
 
 SourcePosition position(const std::string& file, const toml::source_region& region) {
   return {file, static_cast<int>(region.begin.line), static_cast<int>(region.begin.column)};
@@ -27,7 +84,7 @@ TomlValue converted(const std::string& file, const toml::node& node) {
     for (const auto& [key, value] : *table) {
       TomlValue entry = converted(file, value);
       entry.where = position(file, key.source());
-      entries.emplace_back(std::string(key.str()), std::move(entry));
+      entries.emplace_back(from_plane_15(key.str()), std::move(entry));
     }
     std::stable_sort(entries.begin(), entries.end(), [](const auto& one, const auto& other) {
       const SourcePosition& a = one.second.where;
@@ -40,7 +97,7 @@ TomlValue converted(const std::string& file, const toml::node& node) {
     for (const toml::node& item : *array) items.push_back(converted(file, item));
     result.value = std::move(items);
   } else if (const auto* text = node.as_string()) {
-    result.value = text->get();
+    result.value = from_plane_15(text->get());
   } else if (const auto* integer = node.as_integer()) {
     result.value = integer->get();
   } else if (const auto* number = node.as_floating_point()) {
@@ -66,17 +123,41 @@ std::optional<double> as_number(const TomlValue& value) {
   return *number;
 }
 
+/// The line at which an assertion of toml++ fails: the first that the text cannot end with.
+int line_that_fails(std::string_view text) {
+  std::vector<std::size_t> ends;
+  for (std::size_t end = text.find('\n'); end != text.npos; end = text.find('\n', end + 1)) {
+    ends.push_back(end);
+  }
+  const auto passes = [&](std::size_t end) {
+    try {
+      static_cast<void>(toml::parse(text.substr(0, end)));
+    } catch (const toml::parse_error&) {
+      return true;
+    } catch (const std::logic_error&) {
+      return false;
+    }
+    return true;
+  };
+  const auto first = std::partition_point(ends.begin(), ends.end(), passes);
+  return static_cast<int>(first - ends.begin()) + 1;
+}
+
 }  // namespace
 
 std::optional<TomlValue> parse_toml(const TextFile& file, Diagnostics& diagnostics) {
+  const std::string text = in_plane_15(file.text);
   try {
-    const toml::table table = toml::parse(std::string_view(file.text), std::string_view(file.path));
-    return converted(file.path, table);
+    return converted(file.path, toml::parse(text, std::string_view(file.path)));
   } catch (const toml::parse_error& error) {
     diagnostics.error(position(file.path, error.source()),
-                      fmt::format("is not TOML: {}", error.description()));
-    return std::nullopt;
+                      fmt::format("is not TOML: {}", from_plane_15(error.description())));
+  } catch (const std::logic_error&) {
+    diagnostics.error({file.path, line_that_fails(text), 0},
+                      "is not TOML: a name of a table with other characters than letters, digits, "
+                      "_ and - stands outside quotes");
   }
+  return std::nullopt;
 }
 
 TomlSection::TomlSection(const TomlValue& table, Diagnostics& diagnostics)
@@ -118,7 +199,8 @@ std::optional<int> TomlSection::integer(std::string_view key) {
   const TomlValue* value = find(key);
   if (value == nullptr) return std::nullopt;
   const auto* result = std::get_if<std::int64_t>(&value->value);
-  if (result == nullptr || std::abs(*result) > 1000000000) {
+  constexpr std::int64_t kLargest = 1000000000;
+  if (result == nullptr || *result < -kLargest || *result > kLargest) {
     wrong_type(*value, key, "a whole number");
     return std::nullopt;
   }

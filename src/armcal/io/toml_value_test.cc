@@ -75,6 +75,36 @@ TEST(Toml, ComplainsOfWhatIsNoToml) {
   EXPECT_THAT(document.diagnostics.to_text(), HasSubstr("is not TOML"));
 }
 
+// Found by the fuzzer: toml++ 3.3 runs into undefined behaviour on letters such as these.
+TEST(Toml, ReadsAndNamesLettersOfEveryScript) {
+  const std::string letters = "é Ω ﷲ 关节 ﺀ ﻿ 𝛼";
+  Document document("a = '" + letters + "' # ü\n'" + letters + "' = \"\"\"" + letters +
+                    "\\\n  é\"\"\"\n");
+  ASSERT_TRUE(document.value.has_value()) << document.diagnostics.to_text();
+  EXPECT_EQ(document.root().text("a"), letters);
+  EXPECT_EQ(document.root().text(letters), letters + "é");
+  EXPECT_THAT(Document("a = 1\nb = “two”\n").diagnostics.to_text(),
+              HasSubstr("a.toml:2:5: error: is not TOML: "));
+  for (const char* stray :
+       {"é = 1", "a = 1 ﺀ", "a = \"\"\"b \\é\"\"\"", "[é]", "a = 1é", "a = [é]"}) {
+    EXPECT_FALSE(Document(stray).value.has_value()) << stray;
+  }
+}
+
+// Found by the fuzzer: toml++ 3.3 asserts where it should complain.
+TEST(Toml, ComplainsOfTablesWithoutAName) {
+  EXPECT_EQ(Document("a = 1\n[b]\n[$c]\nd = 1\n[e]\n").diagnostics.to_text(),
+            "a.toml:3: error: is not TOML: a name of a table with other characters than letters, "
+            "digits, _ and - stands outside quotes\n");
+  EXPECT_EQ(Document("[[é]]").diagnostics.to_text().substr(0, 16), "a.toml:1: error:");
+}
+
+// Found by reading: the magnitude of the smallest 64-bit number cannot be taken.
+TEST(Toml, RefusesNumbersFarTooLarge) {
+  Document document("n = -9223372036854775808\n");
+  EXPECT_FALSE(document.root().integer("n").has_value());
+}
+
 TEST(Toml, ChecksTheSchema) {
   const auto complaint = [](const std::string& text) {
     Document document(text);

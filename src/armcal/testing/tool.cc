@@ -22,8 +22,6 @@ ToolResult tool(const std::vector<std::string>& arguments, std::stop_token stop)
   return {code, out.str(), err.str()};
 }
 
-std::string example(const std::string& path) {
-  return (repository() / "examples" / path).string();
-}
+std::string example(const std::string& path) { return (repository() / "examples" / path).string(); }
 
 }  // namespace armcal::testing
