@@ -157,6 +157,23 @@ void move_tool_into_last_row(DhTable& table) {
   }
 }
 
+// Common normals leave rounding in the table, -4.6e-14 mm where 0 is meant. A femtometre is far
+// below what a pose keeps.
+double rounded_to_femtometres(double mm) {
+  constexpr double kExact_mm = 4000.0;  // beyond, a double has no femtometres
+  return std::abs(mm) < kExact_mm ? std::round(mm * 1e12) / 1e12 + 0.0 : mm;
+}
+
+void drop_rounding(DhTable& table) {
+  for (DhRow& row : table.rows) {
+    row.d_mm = rounded_to_femtometres(row.d_mm);
+    row.a_mm = rounded_to_femtometres(row.a_mm);
+  }
+  for (RigidTransform* pose : {&table.base_from_first, &table.last_from_tool}) {
+    pose->translation_mm = pose->translation_mm.unaryExpr(&rounded_to_femtometres);
+  }
+}
+
 }  // namespace
 
 std::string_view to_string(DhConvention convention) {
@@ -202,7 +219,9 @@ ArmModel arm_from_dh(const DhTable& table) {
 
 DhConversion dh_from_arm(const ArmModel& arm, DhConvention convention) {
   DhConversion conversion;
-  conversion.table = is_plain(arm) ? copied(arm) : by_common_normals(arm);
+  const bool plain = is_plain(arm);
+  conversion.table = plain ? copied(arm) : by_common_normals(arm);
+  if (!plain) drop_rounding(conversion.table);
   DhTable& table = conversion.table;
   table.name = arm.name;
   table.note = arm.note;

@@ -45,7 +45,8 @@ Command tool(CommonFlags& flags) {
       {"--version", "print the version", &flags.version},
   };
   root.subcommands = all_commands();
-  root.examples = {"armcal demo paper", "armcal fk examples/arms/puma-560.arm.toml angles.csv",
+  root.examples = {"armcal demo paper",
+                   "armcal fk examples/arms/puma-560.arm.toml examples/angles/six-joints.csv",
                    "armcal symmetric-point examples/wang2016/as-printed.symmetric.toml"};
   return root;
 }

@@ -67,7 +67,7 @@ Command convert_command() {
   command.examples = {
       "armcal convert examples/arms/puma-560.arm.toml --to dh-classic --csv",
       "armcal convert examples/arms/romer-infinite-2.0.arm.toml --to dh-modified -o romer.dh.toml",
-      "armcal convert table.csv --from dh-modified -o my.arm.toml"};
+      "armcal convert examples/dh/panda-modified.csv --from dh-modified -o panda.arm.toml"};
   command.run = [flags](const Context& context) { return run_convert(*flags, context); };
   return command;
 }

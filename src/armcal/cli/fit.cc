@@ -78,9 +78,10 @@ Command fit_command() {
        {"--u", "standard uncertainty of each coordinate, mm; else from the scatter", &flags->u_mm,
         "MM"}},
       flags->table.for_points());
-  command.examples = {"armcal fit circle examples/points/gander1994.csv",
-                      "armcal fit sphere examples/points/sphere.csv --json",
-                      "armcal fit plane scan.csv --map x_mm=X,y_mm=Y,z_mm=Z"};
+  command.examples = {
+      "armcal fit circle examples/points/gander1994.csv",
+      "armcal fit sphere examples/points/sphere.csv --json",
+      "armcal fit plane examples/points/surface-plate-german.csv --map x_mm=X,y_mm=Y,z_mm=Z"};
   command.run = [flags](const Context& context) { return run_fit(*flags, context); };
   return command;
 }

@@ -56,8 +56,9 @@ Command fk_command() {
              flags->table.for_angles());
   command.examples = {
       "armcal fk examples/arms/ur10.arm.toml examples/angles/six-joints.csv",
-      "armcal fk examples/arms/panda.arm.toml headerless.csv --angles rad -o tips.csv",
-      "armcal fk arm.toml log.csv --map q1_deg=A1,q2_deg=A2,q3_deg=A3"};
+      "armcal fk examples/arms/ur10.arm.toml examples/angles/six-joints.csv --json -o tips.csv",
+      "armcal fk examples/arms/panda.arm.toml examples/angles/seven-joints-german.csv "
+      "--map q1_rad=A1,q2_rad=A2,q3_rad=A3,q4_rad=A4,q5_rad=A5,q6_rad=A6,q7_rad=A7"};
   command.run = [flags](const Context& context) { return run_fk(*flags, context); };
   return command;
 }

@@ -16,7 +16,7 @@ namespace {
 // Waits for Ctrl-C on a thread of its own: asks the job to stop, and ends the program where it does
 // not (blocked on a pipe, say) or where the user insists. Files are written whole or not at all, so
 // nothing is torn.
-void stop_on_signal(std::stop_source source) {
+void stop_on_signal(const std::stop_source& source) {
   sigset_t signals;
   sigemptyset(&signals);
   sigaddset(&signals, SIGINT);

@@ -61,8 +61,9 @@ Command register_command() {
               {"--u", "standard uncertainty of each coordinate of B, mm; else from the scatter",
                &flags->u_mm, "MM"}},
              flags->table.for_points());
-  command.examples = {"armcal register examples/points/frame-a.csv examples/points/frame-b.csv",
-                      "armcal register arm.csv tracker.csv --scale --json"};
+  command.examples = {
+      "armcal register examples/points/frame-a.csv examples/points/frame-b.csv",
+      "armcal register examples/points/frame-a.csv examples/points/frame-b.csv --scale --json"};
   command.run = [flags](const Context& context) { return run_register(*flags, context); };
   return command;
 }

@@ -140,7 +140,7 @@ class CsvParser {
       lines_with[2] += comma;
       // The header line may be words; any later line must be numbers for commas to be decimal.
       if (comma && seen > 1 && !is_blank_separated_with_commas(line)) commas_are_decimal = false;
-      if (comma && seen == 1 && line.find_first_of(" ") == std::string_view::npos)
+      if (comma && seen == 1 && line.find(' ') == std::string_view::npos)
         commas_are_decimal = false;
     }
     if (lines_with[0] > 0 && lines_with[0] >= seen / 2) {

@@ -40,14 +40,23 @@ std::string columns_of(const CsvTable& table) {
              : fmt::format("it has no header and {} columns", table.columns().size());
 }
 
-// A column that must be there; else an error that shows what is there and how to map it.
+// Says what is missing, what is there and how to map it.
+void complain_of_missing(const CsvTable& table, const std::vector<std::string>& names,
+                         Diagnostics& diagnostics) {
+  if (names.empty()) return;
+  const bool one = names.size() == 1;
+  diagnostics.error({table.file().path, 0, 0},
+                    fmt::format("has no column{} {}", one ? "" : "s", fmt::join(names, ", ")),
+                    fmt::format("{}; name the right {} with --map {}=HEADER", columns_of(table),
+                                one ? "one" : "ones", fmt::join(names, "=HEADER,")));
+}
+
+// A column that must be there.
 std::optional<std::size_t> required(const CsvTable& table, const std::string& name,
                                     std::string_view suffix, Diagnostics& diagnostics) {
-  if (const auto column = table.find(name)) return column;
-  diagnostics.error({table.file().path, 0, 0}, fmt::format("has no column {}{}", name, suffix),
-                    fmt::format("{}; name the right one with --map {}{}=HEADER", columns_of(table),
-                                name, suffix));
-  return std::nullopt;
+  const auto column = table.find(name);
+  if (!column) complain_of_missing(table, {fmt::format("{}{}", name, suffix)}, diagnostics);
+  return column;
 }
 
 std::optional<double> length_factor(const CsvTable& table, std::size_t column,
@@ -161,12 +170,17 @@ std::optional<std::vector<std::size_t>> joint_columns(const CsvTable& table, int
     for (std::size_t c = 0; c < table.columns().size(); ++c) columns.push_back(c);
     return columns;
   }
-  bool complete = true;
+  std::vector<std::string> missing;
   for (int joint = 1; joint <= joint_count; ++joint) {
-    const auto column = required(table, fmt::format("q{}", joint), "_deg", diagnostics);
-    if (column) columns.push_back(*column);
-    complete = complete && column.has_value();
+    const std::string name = fmt::format("q{}", joint);
+    if (const auto column = table.find(name)) {
+      columns.push_back(*column);
+    } else {
+      missing.push_back(name + "_deg");
+    }
   }
+  complain_of_missing(table, missing, diagnostics);
+  bool complete = missing.empty();
   if (table.find(fmt::format("q{}", joint_count + 1))) {
     diagnostics.error(
         {table.file().path, 0, 0},
@@ -221,6 +235,7 @@ std::optional<std::vector<Eigen::Vector3d>> coordinates(const CsvTable& table, b
                                                         Diagnostics& diagnostics) {
   const std::size_t errors_before = diagnostics.error_count();
   std::array<std::vector<double>, 3> xyz;
+  std::vector<std::string> missing;
   constexpr std::array<const char*, 3> kNames = {"x", "y", "z"};
   planar = planar && !table.find("z");
   for (std::size_t k = 0; k < 3; ++k) {
@@ -228,12 +243,16 @@ std::optional<std::vector<Eigen::Vector3d>> coordinates(const CsvTable& table, b
       xyz[k].assign(table.row_count(), 0.0);
       continue;
     }
-    const auto column = required(table, kNames[k], "_mm", diagnostics);
-    if (!column) continue;
+    const auto column = table.find(kNames[k]);
+    if (!column) {
+      missing.push_back(fmt::format("{}_mm", kNames[k]));
+      continue;
+    }
     const auto factor = length_factor(table, *column, diagnostics);
     if (!factor) continue;
     xyz[k] = lengths(table, *column, fmt::format("{} coordinate", kNames[k]), *factor, diagnostics);
   }
+  complain_of_missing(table, missing, diagnostics);
   if (diagnostics.error_count() > errors_before) return std::nullopt;
   std::vector<Eigen::Vector3d> points;
   points.reserve(table.row_count());

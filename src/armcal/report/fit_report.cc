@@ -32,7 +32,9 @@ std::string uncertainty(const FitSummary& fit, std::string_view quantity, int de
 }
 
 std::string line_of(std::string_view name, std::string_view value, std::string_view rest = "") {
-  return fmt::format("  {:<12}{:>18}{}\n", name, value, rest);
+  std::string line = fmt::format("  {:<12}{:>18}{}", name, value, rest);
+  line.erase(line.find_last_not_of(' ') + 1);
+  return line + '\n';
 }
 
 std::string vector_text(const FitSummary& fit, std::string_view name, const Eigen::Vector3d& v,

@@ -208,7 +208,7 @@ void add_check_findings(const SymmetricPointAnalysis& analysis, std::vector<std:
   std::vector<std::string> unchecked;
   for (const AdjustedReading& reading : analysis.adjustment.readings) {
     if (!reading.normalised) unchecked.push_back(reading.name);
-    if (!reading.flagged || told.count(reading.name) > 0) continue;
+    if (!reading.flagged || told.contains(reading.name)) continue;
     std::vector<std::string> group = {reading.name};
     group.insert(group.end(), reading.inseparable_from.begin(), reading.inseparable_from.end());
     told.insert(group.begin(), group.end());

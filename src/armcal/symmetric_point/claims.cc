@@ -144,7 +144,7 @@ class Detective {
     // Claims are rounded, so the exact value is not the one that was read: of all that reconcile
     // the same claims, the one with the fewest decimals is.
     if (!readings_[i].is_angle()) {
-      for (double unit = 0.01; unit > 1e-5; unit /= 10.0) {
+      for (const double unit : {1e-2, 1e-3, 1e-4}) {
         const double rounded = std::round(*exact / unit) * unit;
         if (reconciled_at(i, rounded, now, before) == reconciled)
           return Explanation{i, rounded, *reconciled};

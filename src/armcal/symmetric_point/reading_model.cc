@@ -123,7 +123,7 @@ ReadingPrediction zero_search(const ForwardKinematics& kinematics, const Paramet
   const double start = reading.reduced ? reading.value : reading.posture_rad(reading.joint - 1);
   const RadiusWave wave = radius_wave(kinematics, table, arm, reading);
   double t = joint_angle(joint, start);
-  const ReadingPrediction none{std::numeric_limits<double>::quiet_NaN(), {}};
+  ReadingPrediction none{std::numeric_limits<double>::quiet_NaN(), {}};
   const double size = std::hypot(wave.c1, wave.s1) + 4.0 * std::hypot(wave.c2, wave.s2);
   if (!(size > 0.0)) return none;
   for (int i = 0; i < 50; ++i) {

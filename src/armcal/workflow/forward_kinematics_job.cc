@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <iterator>
 
 #include "armcal/arm/forward_kinematics.h"
@@ -31,6 +32,9 @@ void warn_of_limits(const ArmModel& arm, const JointReadings& readings, Diagnost
   }
 }
 
+// What is beyond is rounding of sines and cosines; a zero has no sign.
+double rounded_to_picometres(double mm) { return std::round(mm * 1e9) / 1e9 + 0.0; }
+
 }  // namespace
 
 Eigen::Matrix3Xd compute_tips(InputFiles& files, const std::string& arm_path,
@@ -57,8 +61,8 @@ std::string tips_csv(const Eigen::Matrix3Xd& tips_mm) {
   fmt::memory_buffer text;
   fmt::format_to(std::back_inserter(text), "x_mm,y_mm,z_mm\n");
   for (Eigen::Index i = 0; i < tips_mm.cols(); ++i) {
-    fmt::format_to(std::back_inserter(text), "{},{},{}\n", tips_mm(0, i), tips_mm(1, i),
-                   tips_mm(2, i));
+    const Eigen::Vector3d tip = tips_mm.col(i).unaryExpr(&rounded_to_picometres);
+    fmt::format_to(std::back_inserter(text), "{},{},{}\n", tip.x(), tip.y(), tip.z());
   }
   return fmt::to_string(text);
 }
