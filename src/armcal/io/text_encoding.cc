@@ -53,8 +53,8 @@ bool looks_like_gb18030(std::string_view text) {
 
 std::optional<std::string> converted(std::string_view bytes, const char* from) {
   iconv_t converter = iconv_open("UTF-8", from);
-  // The value that POSIX defines for failure.
-  if (converter == reinterpret_cast<iconv_t>(-1)) return std::nullopt;  // NOLINT(performance-no-int-to-ptr)
+  // NOLINTNEXTLINE(performance-no-int-to-ptr): the value that POSIX defines for failure
+  if (converter == reinterpret_cast<iconv_t>(-1)) return std::nullopt;
   std::string in(bytes);
   std::string out(bytes.size() * 3 + 16, '\0');
   char* read = in.data();

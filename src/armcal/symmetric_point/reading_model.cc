@@ -12,6 +12,7 @@
 #include "armcal/arm/forward_kinematics.h"
 #include "armcal/arm/parameter_table.h"
 #include "armcal/core/invariant.h"
+#include "armcal/symmetric_point/radius_wave.h"
 
 namespace armcal {
 namespace {
@@ -62,51 +63,28 @@ ReadingPrediction circle_radius(const ForwardKinematics& kinematics, const Param
   return {radius, squared.gradient / (2.0 * radius)};
 }
 
-// As joint k turns, the squared radius about a lower axis is exactly
-//   c0 + c1 cos(t) + s1 sin(t) + c2 cos(2 t) + s2 sin(2 t),   t the angle of the joint,
-// so five values determine it, and the same five combinations of their gradients are the gradients
-// of the coefficients. Only the four that matter for an extremum are kept.
-struct RadiusWave {
-  double c1 = 0.0, s1 = 0.0, c2 = 0.0, s2 = 0.0;
-  Eigen::VectorXd by_c1, by_s1, by_c2, by_s2;
-
-  [[nodiscard]] double slope(double t) const {
-    return -c1 * std::sin(t) + s1 * std::cos(t) +
-           2.0 * (-c2 * std::sin(2 * t) + s2 * std::cos(2 * t));
-  }
-  [[nodiscard]] double bend(double t) const {
-    return -c1 * std::cos(t) - s1 * std::sin(t) -
-           4.0 * (c2 * std::cos(2 * t) + s2 * std::sin(2 * t));
-  }
-  [[nodiscard]] Eigen::VectorXd slope_gradient(double t) const {
-    return -by_c1 * std::sin(t) + by_s1 * std::cos(t) +
-           2.0 * (-by_c2 * std::sin(2 * t) + by_s2 * std::cos(2 * t));
-  }
+// The wave of the squared radius about the swept axis as the searched joint turns, and the gradient
+// of each coefficient: the same combinations of five values and of their gradients.
+struct WaveWithGradients {
+  RadiusWave wave = RadiusWave::Zero();
+  Eigen::Matrix<double, Eigen::Dynamic, kWaveSamples> gradients;  // rows: parameters
 };
 
-RadiusWave radius_wave(const ForwardKinematics& kinematics, const ParameterTable& table,
-                       const ArmModel& arm, const SymmetricReading& reading) {
-  constexpr int kSamples = 5;
+WaveWithGradients radius_wave(const ForwardKinematics& kinematics, const ParameterTable& table,
+                              const ArmModel& arm, const SymmetricReading& reading) {
   const Joint& joint = arm.joints[static_cast<std::size_t>(reading.joint - 1)];
   Eigen::VectorXd posture = reading.posture_rad;
   double& encoder = posture(reading.joint - 1);
-  RadiusWave wave;
-  wave.by_c1 = wave.by_s1 = wave.by_c2 = wave.by_s2 = Eigen::VectorXd::Zero(table.size());
-  for (int i = 0; i < kSamples; ++i) {
-    const double t = 2.0 * std::numbers::pi * i / kSamples;
+  WaveWithGradients result;
+  result.gradients.setZero(table.size(), kWaveSamples);
+  for (int k = 0; k < kWaveSamples; ++k) {
+    const double t = wave_sample(k);
     encoder = encoder_at_joint_angle(joint, t, t / joint.direction - joint.zero_rad);
     const ReadingPrediction r2 = squared_radius(kinematics, table, as_span(posture), reading.sweep);
-    const double weight = 2.0 / kSamples;
-    const auto add = [&](double factor, double& c, Eigen::VectorXd& by_c) {
-      c += weight * factor * r2.value;
-      by_c += weight * factor * r2.gradient;
-    };
-    add(std::cos(t), wave.c1, wave.by_c1);
-    add(std::sin(t), wave.s1, wave.by_s1);
-    add(std::cos(2 * t), wave.c2, wave.by_c2);
-    add(std::sin(2 * t), wave.s2, wave.by_s2);
+    result.wave += r2.value * wave_weights(k);
+    result.gradients += r2.gradient * wave_weights(k).transpose();
   }
-  return wave;
+  return result;
 }
 
 // The parameters of the encoder of the searched joint turn angle into reading; with the angle fixed
@@ -121,24 +99,15 @@ ReadingPrediction zero_search(const ForwardKinematics& kinematics, const Paramet
                               const ArmModel& arm, const SymmetricReading& reading) {
   const Joint& joint = arm.joints[static_cast<std::size_t>(reading.joint - 1)];
   const double start = reading.reduced ? reading.value : reading.posture_rad(reading.joint - 1);
-  const RadiusWave wave = radius_wave(kinematics, table, arm, reading);
-  double t = joint_angle(joint, start);
-  ReadingPrediction none{std::numeric_limits<double>::quiet_NaN(), {}};
-  const double size = std::hypot(wave.c1, wave.s1) + 4.0 * std::hypot(wave.c2, wave.s2);
-  if (!(size > 0.0)) return none;
-  for (int i = 0; i < 50; ++i) {
-    const double bend = wave.bend(t);
-    // Damped where the wave is nearly straight, so that the nearest extremum is found and not a far
-    // one.
-    const double step = -wave.slope(t) / std::copysign(std::max(std::abs(bend), 0.05 * size), bend);
-    t += step;
-    if (std::abs(step) < 1e-15) break;
-  }
-  if (std::abs(wave.bend(t)) < 1e-9 * size || std::abs(wave.slope(t)) > 1e-9 * size) return none;
+  const WaveWithGradients at = radius_wave(kinematics, table, arm, reading);
+  const auto extremum = extremum_near(at.wave, joint_angle(joint, start));
+  if (!extremum) return {std::numeric_limits<double>::quiet_NaN(), {}};
 
+  const double t = *extremum;
   const double encoder = encoder_at_joint_angle(joint, t, start);
   const double slope = joint_angle_slope(joint, encoder);
-  ReadingPrediction prediction{encoder, wave.slope_gradient(t) / (-wave.bend(t) * slope)};
+  ReadingPrediction prediction{encoder,
+                               at.gradients * wave_slope(t) / (-at.wave.dot(wave_bend(t)) * slope)};
   for (int i = 0; i < table.size(); ++i) {
     const Parameter& parameter = table[i];
     if (!belongs_to_encoder(parameter, reading.joint)) continue;

@@ -11,6 +11,7 @@
 #include "armcal/core/units.h"
 #include "armcal/numerics/linear_algebra.h"
 #include "armcal/numerics/small_least_squares.h"
+#include "armcal/symmetric_point/radius_wave.h"
 
 namespace armcal {
 namespace {
@@ -18,49 +19,6 @@ namespace {
 constexpr std::size_t kLeastForShape = 3;
 constexpr std::size_t kLeastForWave = 6;
 constexpr double kLeastSpanForWave_rad = radians_from_degrees(120.0);
-
-// Coefficients of 1, cos e, sin e, cos 2e, sin 2e.
-using Wave = Eigen::Matrix<double, 5, 1>;
-
-Wave basis(double e) {
-  return Wave(1.0, std::cos(e), std::sin(e), std::cos(2 * e), std::sin(2 * e));
-}
-Wave basis_slope(double e) {
-  return Wave(0.0, -std::sin(e), std::cos(e), -2 * std::sin(2 * e), 2 * std::cos(2 * e));
-}
-Wave basis_bend(double e) {
-  return Wave(0.0, -std::cos(e), -std::sin(e), -4 * std::cos(2 * e), -4 * std::sin(2 * e));
-}
-
-// Five values determine a wave.
-Wave wave_of(const std::function<double(double)>& squared_radius) {
-  constexpr int kSamples = 5;
-  Wave wave = Wave::Zero();
-  for (int i = 0; i < kSamples; ++i) {
-    const double e = 2.0 * std::numbers::pi * i / kSamples;
-    wave += squared_radius(e) * basis(e) * 2.0 / kSamples;
-  }
-  wave(0) /= 2.0;
-  return wave;
-}
-
-// The extremum nearest to the guess: Newton on the slope, held back where the wave is nearly
-// straight.
-bool find_extremum(const Wave& wave, double guess, double& setting) {
-  const double size = wave.tail<4>().norm();
-  constexpr double kFlat = 1e-9;  // of the mean: below that the wave is rounding about a constant
-  if (!(size > kFlat * std::abs(wave(0)))) return false;
-  setting = guess;
-  for (int i = 0; i < 60; ++i) {
-    const double bend = wave.dot(basis_bend(setting));
-    const double step = -wave.dot(basis_slope(setting)) /
-                        std::copysign(std::max(std::abs(bend), 0.05 * size), bend);
-    setting += step;
-    if (std::abs(step) < 1e-15) break;
-  }
-  return std::abs(wave.dot(basis_slope(setting))) < 1e-9 * size &&
-         std::abs(wave.dot(basis_bend(setting))) > 1e-9 * size;
-}
 
 // Weights of the squared radii: u(r^2) = 2 r u(r).
 double weight(const RadiusAtSetting& at) { return 1.0 / (2.0 * at.radius_mm * at.u_mm); }
@@ -92,27 +50,29 @@ void fit_full_wave(ZeroSearchResult& result, const std::vector<RadiusAtSetting>&
   Eigen::VectorXd right(count);
   for (Eigen::Index i = 0; i < count; ++i) {
     const RadiusAtSetting& at = radii[static_cast<std::size_t>(i)];
-    design.row(i) = weight(at) * basis(at.setting_rad).transpose();
+    design.row(i) = weight(at) * wave_basis(at.setting_rad).transpose();
     right(i) = weight(at) * at.radius_mm * at.radius_mm;
   }
-  const Wave wave = shortest_solution(design, right);
+  const RadiusWave wave = shortest_solution(design, right);
   const auto factor = inverse_factor(design);
-  if (!factor || !find_extremum(wave, guess, result.setting_rad)) {
+  const auto extremum = extremum_near(wave, guess);
+  if (!factor || !extremum) {
     result.status = factor ? ZeroStatus::no_extremum : ZeroStatus::not_determined;
     return;
   }
-  const double bend = wave.dot(basis_bend(result.setting_rad));
+  result.setting_rad = *extremum;
+  const double bend = wave.dot(wave_bend(result.setting_rad));
   result.is_minimum = bend > 0.0;
-  result.u_rad = (factor->transpose() * basis_slope(result.setting_rad)).norm() / std::abs(bend);
+  result.u_rad = (factor->transpose() * wave_slope(result.setting_rad)).norm() / std::abs(bend);
   finish(
-      result, radii, [&](double e) { return wave.dot(basis(e)); }, 5);
+      result, radii, [&](double e) { return wave.dot(wave_basis(e)); }, 5);
 }
 
 void fit_nominal_shape(ZeroSearchResult& result, const std::vector<RadiusAtSetting>& radii,
                        const std::function<double(double)>& nominal_squared_radius, double guess) {
-  const Wave shape = wave_of(nominal_squared_radius);
-  double nominal_setting = 0.0;
-  if (!find_extremum(shape, guess, nominal_setting)) {
+  const RadiusWave shape = wave_of(nominal_squared_radius);
+  const auto nominal_setting = extremum_near(shape, guess);
+  if (!nominal_setting) {
     result.status = ZeroStatus::no_extremum;
     return;
   }
@@ -130,9 +90,9 @@ void fit_nominal_shape(ZeroSearchResult& result, const std::vector<RadiusAtSetti
     for (Eigen::Index i = 0; i < count; ++i) {
       const RadiusAtSetting& at = radii[static_cast<std::size_t>(i)];
       const double e = at.setting_rad - x(2);
-      const double value = shape.tail<4>().dot(basis(e).tail<4>());
+      const double value = shape.tail<4>().dot(wave_basis(e).tail<4>());
       r(i) = weight(at) * (x(0) + x(1) * value - at.radius_mm * at.radius_mm);
-      J.row(i) << weight(at), weight(at) * value, -weight(at) * x(1) * shape.dot(basis_slope(e));
+      J.row(i) << weight(at), weight(at) * value, -weight(at) * x(1) * shape.dot(wave_slope(e));
     }
   };
   const SmallSolution solution =
@@ -142,14 +102,14 @@ void fit_nominal_shape(ZeroSearchResult& result, const std::vector<RadiusAtSetti
     result.status = ZeroStatus::not_determined;
     return;
   }
-  result.setting_rad = nominal_setting + solution.x(2);
-  result.is_minimum = solution.x(1) * shape.dot(basis_bend(nominal_setting)) > 0.0;
+  result.setting_rad = *nominal_setting + solution.x(2);
+  result.is_minimum = solution.x(1) * shape.dot(wave_bend(*nominal_setting)) > 0.0;
   result.u_rad = factor->row(2).norm();
   finish(
       result, radii,
       [&](double e) {
         return solution.x(0) +
-               solution.x(1) * shape.tail<4>().dot(basis(e - solution.x(2)).tail<4>());
+               solution.x(1) * shape.tail<4>().dot(wave_basis(e - solution.x(2)).tail<4>());
       },
       3);
 }
