@@ -92,7 +92,7 @@ std::string text_result(const SphereTest& test, const SphereTestOptions& options
   if (test.joint_spans_rad.size() > 0) {
     text += "  joints moved by";
     for (const double span : test.joint_spans_rad) {
-      text += " " + fixed(degrees_from_radians(span), 1);
+      text += fmt::format(" {}", fixed(degrees_from_radians(span), 1));
     }
     text += " deg\n";
   }
