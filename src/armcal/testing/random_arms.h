@@ -61,4 +61,12 @@ inline std::vector<double> random_posture(int joint_count, RandomStream& random,
   return posture;
 }
 
+/// Postures as columns.
+inline Eigen::MatrixXd random_postures(int joint_count, int count, RandomStream& random,
+                                       double range_rad = std::numbers::pi) {
+  Eigen::MatrixXd postures(joint_count, count);
+  for (double& angle : postures.reshaped()) angle = random.uniform(-range_rad, range_rad);
+  return postures;
+}
+
 }  // namespace armcal::testing

@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: the armcal authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+#include "armcal/arm/arm_model.h"
+#include "armcal/numerics/pack.h"
+
+namespace armcal {
+
+/// Postures of an arm, ready for TipRows: sine and cosine of every encoder reading, eight postures
+/// side by side (the last pack is filled up with its last posture). Readings do not change while an
+/// arm is identified, so their sines are taken once.
+class PosturePacks {
+ public:
+  PosturePacks() = default;
+  /// @param encoder_rad  one posture per column, rows the joints
+  explicit PosturePacks(const Eigen::MatrixXd& encoder_rad);
+
+  [[nodiscard]] int joint_count() const { return joint_count_; }
+  [[nodiscard]] Eigen::Index count() const { return count_; }
+  [[nodiscard]] const Pack& sine(Eigen::Index pack, int joint) const {
+    return at_[static_cast<std::size_t>(2 * (pack * joint_count_ + joint))];
+  }
+  [[nodiscard]] const Pack& cosine(Eigen::Index pack, int joint) const {
+    return at_[static_cast<std::size_t>(2 * (pack * joint_count_ + joint) + 1)];
+  }
+
+ private:
+  int joint_count_ = 0;
+  Eigen::Index count_ = 0;
+  std::vector<Pack> at_;
+};
+
+/// Tips of many postures and their derivatives by chosen parameters, as rows of a least-squares
+/// problem: what ForwardKinematics::linearise gives one posture at a time, eight at a time.
+/// theory/kinematics.md eq. (1)-(8); the angle is turned through the cached sine and cosine: sin(s
+/// (e + z) + h) by the addition theorem. Const and safe to share between threads.
+class TipRows {
+ public:
+  /// @param parameters  table indices (ParameterTable) of the columns, in their order
+  TipRows(const ArmModel& arm, std::span<const int> parameters);
+
+  /// Where the results of posture first + k go: the tip (mm, base frame) to tips.col(k), the
+  /// derivative of its coordinate c by parameter i to rows[(3 k + c) * stride + i]. `rows` may be
+  /// null.
+  struct Target {
+    double* tips = nullptr;
+    double* rows = nullptr;
+    Eigen::Index stride = 0;
+  };
+  /// @param first  a multiple of kLanes
+  void fill(const PosturePacks& postures, Eigen::Index first, Eigen::Index count,
+            const Target& target) const;
+
+  [[nodiscard]] int column_count() const { return static_cast<int>(columns_.size()); }
+
+ private:
+  struct Column {
+    int kind;   // of ParameterKind
+    int joint;  // from 0: the joint of a zero or harmonic, the link's first joint, the last joint
+                // for the tip
+    int harmonic;
+  };
+  struct PreparedJoint {
+    double direction, sin_zero, cos_zero;  // of direction * zero
+    std::vector<Harmonic> harmonics;
+  };
+  struct PreparedLink {
+    double d, b, a, cos_alpha, sin_alpha, cos_beta, sin_beta;
+  };
+  struct Frames;
+
+  static void fill_pack(const TipRows& self, const PosturePacks& postures, Eigen::Index pack,
+                        Eigen::Index lanes, const Target& target);
+
+  RigidTransform base_;
+  std::vector<PreparedJoint> joints_;
+  std::vector<PreparedLink> links_;
+  Tip tip_;
+  std::vector<Column> columns_;
+};
+
+}  // namespace armcal
