@@ -112,8 +112,22 @@ struct TipRows::Frames {
   std::array<PackVector, kMaxJoints> y_turned;  // y after alpha: the axis of beta
 };
 
-TipRows::TipRows(const ArmModel& arm, std::span<const int> parameters)
-    : base_(arm.base_from_first_joint), tip_(arm.tip) {
+std::vector<TipColumn> tip_columns(const ParameterTable& table, std::span<const int> parameters) {
+  std::vector<TipColumn> columns;
+  for (const int index : parameters) {
+    const Parameter& parameter = table[index];
+    const bool of_joint = parameter.kind == ParameterKind::zero ||
+                          parameter.kind == ParameterKind::cosine ||
+                          parameter.kind == ParameterKind::sine;
+    // A link is named after the joint that it leads to, the tip as if it led to one more.
+    columns.push_back(
+        {parameter.kind, of_joint ? parameter.joint - 1 : parameter.joint - 2, parameter.harmonic});
+  }
+  return columns;
+}
+
+TipRows::TipRows(const ArmModel& arm, std::span<const TipColumn> columns)
+    : base_(arm.base_from_first_joint), tip_(arm.tip), columns_(columns.begin(), columns.end()) {
   const auto problems = problems_of(arm);
   if (!problems.empty()) throw std::invalid_argument(problems.front());
   for (const Joint& joint : arm.joints) {
@@ -124,18 +138,6 @@ TipRows::TipRows(const ArmModel& arm, std::span<const int> parameters)
   for (const Link& link : arm.links) {
     links_.push_back({link.d_mm, link.b_mm, link.a_mm, std::cos(link.alpha_rad),
                       std::sin(link.alpha_rad), std::cos(link.beta_rad), std::sin(link.beta_rad)});
-  }
-  const ParameterTable table(arm);
-  for (const int index : parameters) {
-    const Parameter& parameter = table[index];
-    const bool of_link = parameter.kind == ParameterKind::d || parameter.kind == ParameterKind::b ||
-                         parameter.kind == ParameterKind::a ||
-                         parameter.kind == ParameterKind::alpha ||
-                         parameter.kind == ParameterKind::beta;
-    // A link leads to its joint; the tip counts as that of one joint more.
-    const bool of_tip = parameter.joint > arm.joint_count();
-    const int joint = of_link || of_tip ? parameter.joint - 2 : parameter.joint - 1;
-    columns_.push_back({static_cast<int>(parameter.kind), joint, parameter.harmonic});
   }
 }
 
@@ -207,29 +209,28 @@ void TipRows::fill_pack(const TipRows& self, const PosturePacks& postures, Eigen
       place[0] = v.x[l];
       place[target.stride] = v.y[l];
       place[2 * target.stride] = v.z[l];
-      place += 3 * target.stride;
+      place += target.rows_per_posture * target.stride;
     }
   };
   const auto lever_to_tip = [&](std::size_t joint) __attribute__((always_inline)) {
     return PackVector{p.x - at.origin[joint].x, p.y - at.origin[joint].y, p.z - at.origin[joint].z};
   };
   for (std::size_t c = 0; c < self.columns_.size(); ++c) {
-    const Column& column = self.columns_[c];
+    const TipColumn& column = self.columns_[c];
     const auto i = static_cast<std::size_t>(column.joint);
     PackVector v;
-    switch (static_cast<ParameterKind>(column.kind)) {
+    switch (column.kind) {
       case ParameterKind::d:
       case ParameterKind::tip_d:
-        // The tip counts as a link from the last joint.
-        store(c, at.axis[column.kind == static_cast<int>(ParameterKind::d) ? i : n - 1]);
+        store(c, at.axis[i]);
         break;
       case ParameterKind::b:
       case ParameterKind::tip_b:
-        store(c, at.y[column.kind == static_cast<int>(ParameterKind::b) ? i : n - 1]);
+        store(c, at.y[i]);
         break;
       case ParameterKind::a:
       case ParameterKind::tip_a:
-        store(c, at.x[column.kind == static_cast<int>(ParameterKind::a) ? i : n - 1]);
+        store(c, at.x[i]);
         break;
       case ParameterKind::alpha:
         cross(v, at.x[i], lever_to_tip(i + 1));
@@ -250,7 +251,7 @@ void TipRows::fill_pack(const TipRows& self, const PosturePacks& postures, Eigen
           const Pack& sin_e = postures.sine(pack, column.joint);
           Multiples k{cos_e, sin_e};
           for (int order = 1; order < column.harmonic; ++order) next_multiple(k, cos_e, sin_e);
-          factor = column.kind == static_cast<int>(ParameterKind::cosine) ? k.cosine : k.sine;
+          factor = column.kind == ParameterKind::cosine ? k.cosine : k.sine;
         }
         v.x *= factor;
         v.y *= factor;
@@ -269,7 +270,7 @@ void TipRows::fill(const PosturePacks& postures, Eigen::Index first, Eigen::Inde
   for (Eigen::Index done = 0; done < count; done += kLanes) {
     Target here = target;
     here.tips += 3 * done;
-    if (here.rows != nullptr) here.rows += 3 * done * target.stride;
+    if (here.rows != nullptr) here.rows += target.rows_per_posture * done * target.stride;
     fill_pack(*this, postures, (first + done) / kLanes,
               std::min<Eigen::Index>(kLanes, count - done), here);
   }

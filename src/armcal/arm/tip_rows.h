@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "armcal/arm/arm_model.h"
+#include "armcal/arm/parameter_table.h"
 #include "armcal/numerics/pack.h"
 
 namespace armcal {
@@ -35,14 +36,26 @@ class PosturePacks {
   std::vector<Pack> at_;
 };
 
+/// One derivative column of TipRows.
+struct TipColumn {
+  ParameterKind kind = ParameterKind::zero;
+  int joint =
+      0;  ///< from 0: of a zero or harmonic, the first joint of a link, the last one for the tip
+  int harmonic = 0;
+};
+
+/// @param parameters  table indices
+[[nodiscard]] std::vector<TipColumn> tip_columns(const ParameterTable& table,
+                                                 std::span<const int> parameters);
+
 /// Tips of many postures and their derivatives by chosen parameters, as rows of a least-squares
 /// problem: what ForwardKinematics::linearise gives one posture at a time, eight at a time.
 /// theory/kinematics.md eq. (1)-(8); the angle is turned through the cached sine and cosine: sin(s
 /// (e + z) + h) by the addition theorem. Const and safe to share between threads.
 class TipRows {
  public:
-  /// @param parameters  table indices (ParameterTable) of the columns, in their order
-  TipRows(const ArmModel& arm, std::span<const int> parameters);
+  /// @throws std::invalid_argument for a model that is not sound
+  TipRows(const ArmModel& arm, std::span<const TipColumn> columns);
 
   /// Where the results of posture first + k go: the tip (mm, base frame) to tips.col(k), the
   /// derivative of its coordinate c by parameter i to rows[(3 k + c) * stride + i]. `rows` may be
@@ -51,6 +64,8 @@ class TipRows {
     double* tips = nullptr;
     double* rows = nullptr;
     Eigen::Index stride = 0;
+    Eigen::Index rows_per_posture =
+        3;  ///< more where other rows stand between: rows[(rows_per_posture * k + c) * stride + i]
   };
   /// @param first  a multiple of kLanes
   void fill(const PosturePacks& postures, Eigen::Index first, Eigen::Index count,
@@ -59,12 +74,6 @@ class TipRows {
   [[nodiscard]] int column_count() const { return static_cast<int>(columns_.size()); }
 
  private:
-  struct Column {
-    int kind;   // of ParameterKind
-    int joint;  // from 0: the joint of a zero or harmonic, the link's first joint, the last joint
-                // for the tip
-    int harmonic;
-  };
   struct PreparedJoint {
     double direction, sin_zero, cos_zero;  // of direction * zero
     std::vector<Harmonic> harmonics;
@@ -81,7 +90,7 @@ class TipRows {
   std::vector<PreparedJoint> joints_;
   std::vector<PreparedLink> links_;
   Tip tip_;
-  std::vector<Column> columns_;
+  std::vector<TipColumn> columns_;
 };
 
 }  // namespace armcal

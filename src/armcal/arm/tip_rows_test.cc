@@ -21,7 +21,7 @@ struct Case {
 
 void expect_like_linearise(const Case& c, const std::vector<int>& parameters) {
   const ForwardKinematics kinematics(c.arm);
-  const TipRows rows(c.arm, parameters);
+  const TipRows rows(c.arm, tip_columns(ParameterTable(c.arm), parameters));
   const PosturePacks postures(c.encoder_rad);
   const Eigen::Index count = c.encoder_rad.cols();
   const Eigen::Index stride = static_cast<Eigen::Index>(parameters.size()) + 3;

@@ -336,6 +336,14 @@ std::vector<std::pair<std::string, double>> TomlSection::all_numbers() {
   return result;
 }
 
+std::vector<std::pair<std::string, std::string>> TomlSection::all_texts() {
+  std::vector<std::pair<std::string, std::string>> entries;
+  for (const auto& [key, value] : std::get<TomlTable>(table_->value)) {
+    if (const auto entry = text(key)) entries.emplace_back(key, *entry);
+  }
+  return entries;
+}
+
 SourcePosition TomlSection::where(std::string_view key) const {
   for (const auto& [name, value] : std::get<TomlTable>(table_->value)) {
     if (name == key) return value.where;

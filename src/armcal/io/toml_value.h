@@ -57,6 +57,9 @@ class TomlSection {
   /// Every key with a number: for tables whose keys are names (claims).
   std::vector<std::pair<std::string, double>> all_numbers();
 
+  /// The same for texts: tables whose keys are column names.
+  std::vector<std::pair<std::string, std::string>> all_texts();
+
   /// Place of a key, or of the table where the key is missing.
   [[nodiscard]] SourcePosition where(std::string_view key) const;
   [[nodiscard]] SourcePosition where() const { return table_->where; }

@@ -1,0 +1,447 @@
+// SPDX-FileCopyrightText: the armcal authors
+// SPDX-License-Identifier: Apache-2.0
+#include "armcal/identification/calibration.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "armcal/core/spelling.h"
+#include "armcal/identification/check_rows.h"
+#include "armcal/identification/choice_of_unknowns.h"
+#include "armcal/identification/estimation_problem.h"
+#include "armcal/identification/residual_statistics.h"
+#include "armcal/numerics/distributions.h"
+
+namespace armcal {
+namespace {
+
+ArmModel with_harmonics(ArmModel arm, int harmonics) {
+  for (Joint& joint : arm.joints) {
+    joint.harmonics.resize(std::max(joint.harmonics.size(), static_cast<std::size_t>(harmonics)));
+  }
+  return arm;
+}
+
+bool is_held_by_user(const std::string& name, const std::vector<std::string>& patterns) {
+  return std::any_of(patterns.begin(), patterns.end(),
+                     [&](const std::string& pattern) { return matches_glob(name, pattern); });
+}
+
+std::optional<double> prior_u(const Parameter& parameter, const CalibrationOptions& options) {
+  const auto own = options.prior_of.find(parameter.name);
+  if (own != options.prior_of.end()) return own->second;
+  if (parameter.unit == ParameterUnit::mm) return options.prior_length_mm;
+  if (parameter.kind == ParameterKind::zero) return options.prior_zero_rad;
+  if (parameter.harmonic > 0) return options.prior_harmonic_rad;
+  return options.prior_twist_rad;
+}
+
+// One calibration in the making.
+class Calibrator {
+ public:
+  Calibrator(const ArmModel& nominal, std::span<const ObservationGroup> groups,
+             const CalibrationOptions& options)
+      : groups_(groups),
+        options_(options),
+        table_(with_harmonics(nominal, options.harmonics)),
+        unknowns_(with_harmonics(nominal, options.harmonics), wanted()) {
+    result_.nominal = unknowns_.nominal();
+    result_.arm = unknowns_.nominal();
+  }
+
+  Calibration run() {
+    if (!prepare() || !knows_scale() || !estimate()) return std::move(result_);
+    finish();
+    return std::move(result_);
+  }
+
+ private:
+  std::vector<int> wanted() {
+    std::vector<int> free;
+    for (int i = 0; i < table_.size(); ++i) {
+      if (!is_held_by_user(table_[i].name, options_.hold)) free.push_back(i);
+    }
+    return free;
+  }
+
+  bool fail(CalibrationStatus status, std::string detail = "") {
+    result_.status = status;
+    result_.detail = std::move(detail);
+    return false;
+  }
+
+  bool prepare() {
+    for (const ObservationGroup& group : groups_) {
+      for (auto& residual : residuals_of(group, false, unknowns_))
+        residuals_.push_back(std::move(residual));
+    }
+    if (residuals_.empty()) return fail(CalibrationStatus::no_readings);
+    for (const auto& residual : residuals_) pointers_.push_back(residual.get());
+    x_ = unknowns_.start();
+    const ArmAt at{unknowns_.nominal(), TipRows(unknowns_.nominal(), unknowns_.columns())};
+    std::string problems;
+    // Lengths start from points that other groups give.
+    for (const bool lengths : {false, true}) {
+      for (const auto& residual : residuals_) {
+        if ((residual->group().kind == ReferenceKind::length) != lengths) continue;
+        if (const auto problem = residual->start(at, unknowns_, x_)) {
+          problems += (problems.empty() ? "" : "; ") + *problem;
+        }
+      }
+    }
+    if (!problems.empty()) return fail(CalibrationStatus::cannot_start, problems);
+    const auto before = residuals_of_observations(pointers_, unknowns_, x_);
+    for (const ObservationGroup& group : groups_) {
+      GroupResult each;
+      each.name = group.name;
+      each.kind = group.kind;
+      each.nominal = statistics_of(before, group);
+      result_.groups.push_back(each);
+    }
+    return true;
+  }
+
+  // A fixed point fits an arm of any size, best one of size zero: unless something knows a length,
+  // stop.
+  bool knows_scale() {
+    for (const Residual* residual : pointers_) {
+      if (residual->knows_scale()) return true;
+    }
+    int longest = -1;
+    for (int i = 0; i < table_.size(); ++i) {
+      const Parameter& parameter = table_[i];
+      if (parameter.unit != ParameterUnit::mm) continue;
+      const bool is_free =
+          std::find(unknowns_.free().begin(), unknowns_.free().end(), i) != unknowns_.free().end();
+      const bool is_known = parameter.nominal != 0.0 && (!is_free || prior_u(parameter, options_));
+      if (is_known) return true;
+      if (longest < 0 || std::abs(parameter.nominal) > std::abs(table_[longest].nominal))
+        longest = i;
+    }
+    if (!options_.allow_rank_deficient) return fail(CalibrationStatus::scale_unknown);
+    std::vector<int> free = unknowns_.free();
+    std::erase(free, longest);
+    use(unknowns_.with_free(std::move(free)));
+    held_for_scale_.push_back(
+        {table_[longest].name,
+         fmt::format("no reading knows how long a millimetre is: {} held, the longest",
+                     table_[longest].name),
+         {}});
+    return true;
+  }
+
+  void use(Unknowns next) {
+    x_ = next.state_from(unknowns_, x_);
+    unknowns_ = std::move(next);
+  }
+
+  // Priors of the free parameters, by place among the unknowns.
+  [[nodiscard]] std::vector<Prior> priors(const Unknowns& unknowns) const {
+    std::vector<Prior> priors;
+    for (std::size_t i = 0; i < unknowns.free().size(); ++i) {
+      const Parameter& parameter = table_[unknowns.free()[i]];
+      if (const auto u = prior_u(parameter, options_)) {
+        priors.push_back({static_cast<int>(i), parameter.nominal, *u});
+      }
+    }
+    return priors;
+  }
+
+  // What is determined is asked at the nominal arm and again at the adjusted one: symmetries of a
+  // nominal arm hide what the real one shows, and the other way round.
+  bool estimate() {
+    const Unknowns all = unknowns_;
+    result_.unknowns = all.step_size();
+    constexpr int kRounds = 4;
+    for (int round = 0; round < kRounds; ++round) {
+      const Eigen::VectorXd here = all.state_from(unknowns_, x_);
+      const EstimationProblem everything(pointers_, all, priors(all));
+      const ChoiceOfUnknowns next =
+          choose_unknowns(triangular_factor(everything, here, options_.monitor), all, options_);
+      const bool settled = round > 0 && next.free == choice_.free &&
+                           next.held_steps.size() == choice_.held_steps.size();
+      if (settled) return true;
+      choice_ = next;
+      use(all.with_free(choice_.free));
+      held_steps_.clear();
+      for (const int step : choice_.held_steps)
+        held_steps_.push_back(step - all.arm_size() + unknowns_.arm_size());
+      if (!solve()) return false;
+    }
+    return true;
+  }
+
+  bool solve() {
+    const EstimationProblem problem(pointers_, unknowns_, priors(unknowns_), held_steps_);
+    if (problem.unknown_count() == 0) return fail(CalibrationStatus::nothing_determined);
+    LeastSquaresOptions options;
+    options.loss = options_.loss;
+    options.threads = options_.threads;
+    options.monitor = options_.monitor;
+    solution_ = solve_least_squares(problem, x_, options);
+    active_ = problem.active();
+    result_.termination = solution_.termination;
+    result_.iterations += solution_.iterations;
+    if (solution_.termination != Termination::converged)
+      return fail(CalibrationStatus::no_convergence);
+    x_ = solution_.x;
+    return true;
+  }
+
+  void finish() {
+    result_.status = CalibrationStatus::converged;
+    result_.arm = unknowns_.arm_at(x_);
+    result_.free = unknowns_.free();
+    result_.rank = static_cast<int>(active_.size());
+    result_.condition_number = choice_.condition_number;
+    result_.unseen = held_for_scale_;
+    result_.unseen.insert(result_.unseen.end(), choice_.unseen.begin(), choice_.unseen.end());
+    const EstimationProblem problem(pointers_, unknowns_, {});
+    result_.chi_squared = residuals_at(problem, x_).squaredNorm();
+    Eigen::Index rows = 0;
+    for (const Residual* residual : pointers_)
+      rows += residual->count() * residual->rows_per_observation();
+    result_.degrees_of_freedom =
+        static_cast<int>(rows) - result_.rank + static_cast<int>(priors(unknowns_).size());
+    if (result_.degrees_of_freedom > 0) {
+      result_.sigma0 = std::sqrt(result_.chi_squared / result_.degrees_of_freedom);
+      result_.chi_squared_probability =
+          chi_squared_survival(result_.chi_squared, result_.degrees_of_freedom);
+    }
+    finish_parameters();
+    finish_nuisances();
+    finish_residuals();
+  }
+
+  // Residuals that scatter more than stated are believed (Birge).
+  [[nodiscard]] double widening() const {
+    return result_.degrees_of_freedom > 0 ? std::max(1.0, result_.sigma0) : 1.0;
+  }
+
+  void finish_parameters() {
+    const Eigen::Index arm_size = unknowns_.arm_size();
+    const Eigen::MatrixXd factor = solution_.inverse_factor.topRows(arm_size);
+    result_.covariance = widening() * widening() * factor * factor.transpose();
+    const Eigen::VectorXd values = parameter_values(result_.arm);
+    for (int i = 0; i < table_.size(); ++i) {
+      CalibratedParameter each;
+      each.name = table_[i].name;
+      each.unit = table_[i].unit;
+      each.nominal = table_[i].nominal;
+      each.value = values(i);
+      const auto at = std::find(result_.free.begin(), result_.free.end(), i);
+      if (at != result_.free.end()) {
+        const Eigen::Index place = at - result_.free.begin();
+        const double u = factor.row(place).norm();
+        each.u = widening() * u;
+        const auto prior = prior_u(table_[i], options_);
+        each.status = prior ? ParameterStatus::prior : ParameterStatus::free;
+        each.data_share = prior ? std::clamp(1.0 - u * u / (*prior * *prior), 0.0, 1.0) : 1.0;
+      } else {
+        each.reason = reason_for(each.name);
+      }
+      result_.parameters.push_back(std::move(each));
+    }
+  }
+
+  [[nodiscard]] std::string reason_for(const std::string& name) const {
+    for (const UnseenDirection& unseen : result_.unseen) {
+      if (unseen.held == name) return unseen.description;
+    }
+    return "held by the user";
+  }
+
+  // Values of frames are those of the pose; a step turns about the pivot, so the shift of the
+  // origin depends on both.
+  void finish_nuisances() {
+    Eigen::MatrixXd W =
+        Eigen::MatrixXd::Zero(unknowns_.step_size(), solution_.inverse_factor.cols());
+    for (std::size_t i = 0; i < active_.size(); ++i) {
+      W.row(active_[i]) = widening() * solution_.inverse_factor.row(static_cast<Eigen::Index>(i));
+    }
+    for (int id = 0; id < static_cast<int>(unknowns_.nuisances().size()); ++id) {
+      const Nuisance& nuisance = unknowns_[id];
+      const auto add = [&](const std::string& part, ParameterUnit unit, double value, double u) {
+        result_.nuisances.push_back({nuisance.name + "." + part, unit, value, u});
+      };
+      const auto u_of = [&](Eigen::Index step) { return W.row(nuisance.step + step).norm(); };
+      constexpr const char* kTurns[] = {"rx", "ry", "rz"};
+      constexpr const char* kAxes[] = {"x", "y", "z"};
+      switch (nuisance.kind) {
+        case NuisanceKind::frame: {
+          const RigidTransform pose = unknowns_.frame(x_, id);
+          const Eigen::MatrixXd by_step =
+              -skew(pose.translation_mm - nuisance.pivot_mm) * W.middleRows(nuisance.step, 3) +
+              W.middleRows(nuisance.step + 3, 3);
+          const Eigen::Vector3d turn = vector_from_rotation(pose.rotation);
+          for (int k = 0; k < 3; ++k)
+            add(kAxes[k], ParameterUnit::mm, pose.translation_mm(k), by_step.row(k).norm());
+          for (int k = 0; k < 3; ++k) add(kTurns[k], ParameterUnit::rad, turn(k), u_of(k));
+          break;
+        }
+        case NuisanceKind::point:
+          for (int k = 0; k < 3; ++k)
+            add(kAxes[k], ParameterUnit::mm, unknowns_.point(x_, id)(k), u_of(k));
+          break;
+        case NuisanceKind::radius:
+          add("radius", ParameterUnit::mm, unknowns_.radius(x_, id), u_of(0));
+          break;
+        case NuisanceKind::plane: {
+          const Eigen::Vector4d plane = unknowns_.plane(x_, id);
+          const auto [first, second] = perpendicular_pair(plane.head<3>());
+          const Eigen::MatrixXd by_step =
+              first * W.row(nuisance.step) + second * W.row(nuisance.step + 1);
+          for (int k = 0; k < 3; ++k)
+            add(std::string("n") + kAxes[k], ParameterUnit::rad, plane(k), by_step.row(k).norm());
+          const Eigen::RowVectorXd distance =
+              first.dot(nuisance.pivot_mm) * W.row(nuisance.step) +
+              second.dot(nuisance.pivot_mm) * W.row(nuisance.step + 1) + W.row(nuisance.step + 2);
+          add("distance", ParameterUnit::mm, plane(3), distance.norm());
+          break;
+        }
+        case NuisanceKind::rotation: {
+          const Eigen::Vector3d turn = vector_from_rotation(unknowns_.rotation(x_, id));
+          for (int k = 0; k < 3; ++k) add(kTurns[k], ParameterUnit::rad, turn(k), u_of(k));
+          break;
+        }
+      }
+    }
+  }
+
+  void record(const std::vector<ObservationResidual>& residuals, bool is_check) {
+    for (const ObservationResidual& each : residuals) {
+      const auto group = static_cast<int>(&each.residual->group() - groups_.data());
+      result_.residuals.push_back(
+          {group, each.residual->row(each.observation), is_check, each.length_mm});
+    }
+    for (FlaggedRow& row : flagged_rows(residuals, is_check))
+      result_.flagged.push_back(std::move(row));
+  }
+
+  void finish_residuals() {
+    const auto fitted = residuals_of_observations(pointers_, unknowns_, x_);
+    for (std::size_t g = 0; g < groups_.size(); ++g)
+      result_.groups[g].fit = statistics_of(fitted, groups_[g]);
+    record(fitted, false);
+    const CheckRows check = check_rows_of(groups_, unknowns_, x_, options_.monitor);
+    if (check.residuals.empty()) return;
+    std::vector<const Residual*> pointers;
+    for (const auto& residual : check.residuals) pointers.push_back(residual.get());
+    const auto held_out = residuals_of_observations(pointers, check.unknowns, check.x);
+    record(held_out, true);
+    std::vector<ObservationResidual> registered;
+    if (check.registered)
+      registered = residuals_of_observations(pointers, check.unknowns, *check.registered);
+    for (std::size_t g = 0; g < groups_.size(); ++g) {
+      const ResidualStatistics as_fitted = statistics_of(held_out, groups_[g]);
+      if (as_fitted.count == 0) continue;
+      result_.groups[g].check = as_fitted;
+      if (check.registered)
+        result_.groups[g].check_registered = statistics_of(registered, groups_[g]);
+    }
+    count_coverage(check, pointers);
+  }
+
+  // Is a held-out residual within what the covariance of the arm, of known frames and points, and
+  // the scatter of a reading together predict? Rows that place their own frames are predicted a
+  // little too wide.
+  void count_coverage(const CheckRows& check, const std::vector<const Residual*>& pointers) {
+    // The check rows by all unknowns of the fit, in its order; what only they know has no column.
+    Unknowns with_arm = check.unknowns.with_free(unknowns_.free());
+    const Eigen::VectorXd x = with_arm.state_from(check.unknowns, check.x);
+    const EstimationProblem problem(pointers, with_arm, {});
+    Eigen::MatrixXd W =
+        Eigen::MatrixXd::Zero(with_arm.step_size(), solution_.inverse_factor.cols());
+    for (std::size_t i = 0; i < active_.size(); ++i) {
+      W.row(active_[i]) = solution_.inverse_factor.row(static_cast<Eigen::Index>(i));
+    }
+    const auto at = problem.at(x);
+    Eigen::Index inside = 0;
+    for (int b = 0; b < problem.block_count(); ++b) {
+      const auto shape = problem.shape(b);
+      const auto columns = static_cast<Eigen::Index>(shape.columns.size());
+      const Eigen::Index stride = (columns + 8) / 8 * 8;
+      std::vector<double> data(static_cast<std::size_t>(shape.rows * stride), 0.0);
+      at->fill(b, {shape.rows, columns, stride, data.data()});
+      const Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>
+          rows(data.data(), shape.rows, stride);
+      Eigen::MatrixXd own(columns, W.cols());
+      for (Eigen::Index c = 0; c < columns; ++c)
+        own.row(c) = W.row(shape.columns[static_cast<std::size_t>(c)]);
+      const Eigen::MatrixXd spread =
+          rows.leftCols(columns) * own;  // whitened residuals by whitened noise
+      const Eigen::Index size = shape.rows_per_observation;
+      for (Eigen::Index first = 0; first < shape.rows; first += size) {
+        const auto part = spread.middleRows(first, size);
+        const Eigen::MatrixXd covariance =
+            widening() * widening() *
+            (Eigen::MatrixXd::Identity(size, size) + part * part.transpose());
+        const Eigen::VectorXd r = rows.col(columns).segment(first, size);
+        const double square = r.dot(covariance.llt().solve(r));
+        inside += square <= chi_squared_quantile(0.95, static_cast<double>(size));
+        ++result_.check_count;
+      }
+    }
+    if (result_.check_count > 0) {
+      result_.check_coverage =
+          static_cast<double>(inside) / static_cast<double>(result_.check_count);
+    }
+  }
+
+  std::span<const ObservationGroup> groups_;
+  const CalibrationOptions& options_;
+  ParameterTable table_;
+  Unknowns unknowns_;
+  Calibration result_;
+  std::vector<std::unique_ptr<Residual>> residuals_;
+  std::vector<const Residual*> pointers_;
+  Eigen::VectorXd x_;
+  ChoiceOfUnknowns choice_;
+  std::vector<int> held_steps_;
+  std::vector<UnseenDirection> held_for_scale_;
+  LeastSquaresSolution solution_;
+  std::vector<int> active_;
+};
+
+}  // namespace
+
+std::string_view explain(CalibrationStatus status) {
+  switch (status) {
+    case CalibrationStatus::converged:
+      return "converged";
+    case CalibrationStatus::no_readings:
+      return "there are no readings to fit";
+    case CalibrationStatus::cannot_start:
+      return "something cannot be placed";
+    case CalibrationStatus::scale_unknown:
+      return "no reading knows how long a millimetre is: fixed points, planes and spheres of "
+             "unknown size fit an arm "
+             "of any size alike";
+    case CalibrationStatus::nothing_determined:
+      return "the readings determine no parameter";
+    case CalibrationStatus::no_convergence:
+      return "the identification did not converge";
+  }
+  return "unknown";
+}
+
+Calibration calibrate(const ArmModel& nominal, std::span<const ObservationGroup> groups,
+                      const CalibrationOptions& options) {
+  return Calibrator(nominal, groups, options).run();
+}
+
+Eigen::Matrix3d tip_covariance(const ArmModel& arm, const std::vector<int>& free,
+                               const Eigen::MatrixXd& covariance,
+                               std::span<const double> encoder_rad) {
+  const TipLinearisation at = ForwardKinematics(arm).linearise(encoder_rad);
+  Eigen::Matrix3Xd J(3, static_cast<Eigen::Index>(free.size()));
+  for (std::size_t i = 0; i < free.size(); ++i) {
+    J.col(static_cast<Eigen::Index>(i)) = at.J_tip_parameters.col(free[i]);
+  }
+  return J * covariance * J.transpose();
+}
+
+}  // namespace armcal

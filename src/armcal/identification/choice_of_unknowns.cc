@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: the armcal authors
+// SPDX-License-Identifier: Apache-2.0
+#include "armcal/identification/choice_of_unknowns.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "armcal/arm/estimability.h"
+#include "armcal/core/units.h"
+#include "armcal/numerics/linear_algebra.h"
+#include "armcal/numerics/rank_analysis.h"
+
+namespace armcal {
+namespace {
+
+// Readings and models are rounded; a column that sticks out by less than this is explained by the
+// others.
+constexpr double kRankTolerance = 1e-8;
+
+std::vector<int> order_of_wish(const Unknowns& unknowns) {
+  std::vector<int> order;
+  for (int i = unknowns.arm_size(); i < unknowns.step_size(); ++i) order.push_back(i);
+  const ParameterTable table(unknowns.nominal());
+  const auto& free = unknowns.free();
+  for (const int index : wanted_order(unknowns.nominal(), table)) {
+    const auto at = std::find(free.begin(), free.end(), index);
+    if (at != free.end()) order.push_back(static_cast<int>(at - free.begin()));
+  }
+  return order;
+}
+
+Eigen::MatrixXd columns_of(const Eigen::MatrixXd& matrix, const std::vector<int>& columns) {
+  Eigen::MatrixXd picked(matrix.rows(), static_cast<Eigen::Index>(columns.size()));
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    picked.col(static_cast<Eigen::Index>(i)) = matrix.col(columns[i]);
+  }
+  return picked;
+}
+
+// A free parameter that is known too badly to be of use: of those nearly as bad as the worst (they
+// trade against each other), the one that is wanted least.
+struct Weakest {
+  int place = -1;  // among the kept columns, most wanted first
+  double u = 0.0;
+};
+Weakest weakest_of(const Eigen::MatrixXd& kept, const std::vector<int>& columns,
+                   const Unknowns& unknowns, const ParameterTable& table,
+                   const CalibrationOptions& options) {
+  const auto factor = inverse_factor(kept);
+  if (!factor) return {};
+  std::vector<double> u(columns.size(), 0.0);
+  std::vector<double> ratio(columns.size(), 0.0);
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    if (columns[i] >= unknowns.arm_size()) continue;
+    const Parameter& parameter = table[unknowns.free()[static_cast<std::size_t>(columns[i])]];
+    const bool is_length = parameter.unit == ParameterUnit::mm;
+    u[i] = factor->row(static_cast<Eigen::Index>(i)).norm();
+    ratio[i] = u[i] / (is_length ? options.largest_useful_u_mm : options.largest_useful_u_rad);
+  }
+  constexpr double kNearlyAsBad = 0.1;
+  const double bad = std::max(1.0, kNearlyAsBad * *std::max_element(ratio.begin(), ratio.end()));
+  for (std::size_t i = columns.size(); i-- > 0;) {
+    if (ratio[i] >= bad) return {static_cast<int>(i), u[i]};
+  }
+  return {};
+}
+
+}  // namespace
+
+ChoiceOfUnknowns choose_unknowns(const Eigen::MatrixXd& r, const Unknowns& unknowns,
+                                 const CalibrationOptions& options) {
+  const ParameterTable table(unknowns.nominal());
+  const std::vector<std::string> all_names = unknowns.names();
+  std::vector<int> wanted = order_of_wish(unknowns);
+  ChoiceOfUnknowns choice;
+  for (;;) {
+    std::vector<int> order(wanted.size());
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+      order[i] = static_cast<int>(i);
+      names.push_back(all_names[static_cast<std::size_t>(wanted[i])]);
+    }
+    const RankAnalysis analysis = analyse_rank(columns_of(r, wanted), order, kRankTolerance);
+    std::vector<int> kept;
+    for (const int place : analysis.basis) kept.push_back(wanted[static_cast<std::size_t>(place)]);
+    const Weakest weakest = weakest_of(columns_of(r, kept), kept, unknowns, table, options);
+    if (weakest.place >= 0) {
+      const int column = kept[static_cast<std::size_t>(weakest.place)];
+      const Parameter& parameter = table[unknowns.free()[static_cast<std::size_t>(column)]];
+      const bool is_length = parameter.unit == ParameterUnit::mm;
+      choice.unseen.push_back(
+          {parameter.name,
+           fmt::format(
+               "the readings see {} too weakly: its standard uncertainty would be {:.2g} {}",
+               parameter.name, is_length ? weakest.u : degrees_from_radians(weakest.u),
+               is_length ? "mm" : "deg"),
+           {}});
+      std::erase(wanted, column);
+      continue;
+    }
+    choice.condition_number = analysis.condition_number;
+    for (const DependentColumn& dependent : analysis.dependent) {
+      UnseenDirection unseen;
+      unseen.held = names[static_cast<std::size_t>(dependent.column)];
+      unseen.description = describe(dependent, analysis, names);
+      for (std::size_t i = 0; i < analysis.basis.size(); ++i) {
+        const double weight = dependent.weights(static_cast<Eigen::Index>(i));
+        if (weight != 0.0) {
+          unseen.combination.emplace_back(names[static_cast<std::size_t>(analysis.basis[i])],
+                                          weight);
+        }
+      }
+      choice.unseen.push_back(std::move(unseen));
+    }
+    for (const int place : analysis.unseen) {
+      const std::string& name = names[static_cast<std::size_t>(place)];
+      choice.unseen.push_back({name, fmt::format("no reading depends on {}", name), {}});
+    }
+    for (int column = 0; column < unknowns.step_size(); ++column) {
+      const bool stays = std::find(kept.begin(), kept.end(), column) != kept.end();
+      if (column < unknowns.arm_size()) {
+        if (stays) choice.free.push_back(unknowns.free()[static_cast<std::size_t>(column)]);
+      } else if (!stays) {
+        choice.held_steps.push_back(column);
+      }
+    }
+    return choice;
+  }
+}
+
+}  // namespace armcal

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: the armcal authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "armcal/identification/calibration.h"
+#include "armcal/identification/estimation_problem.h"
+
+namespace armcal {
+
+/// What of the unknowns the readings determine, and what is held instead.
+struct ChoiceOfUnknowns {
+  std::vector<int> free;  ///< parameter table indices that stay
+  std::vector<int>
+      held_steps;  ///< nuisance unknowns that are held, places among the unknowns of the problem
+  std::vector<UnseenDirection> unseen;
+  double condition_number = 1.0;
+};
+
+/// By rank analysis of the triangular factor of the whole Jacobian; columns in order of wish: what
+/// observations bring along, then `wanted_order` of the arm.
+/// @param r  triangular_factor of the problem in all unknowns
+[[nodiscard]] ChoiceOfUnknowns choose_unknowns(const Eigen::MatrixXd& r, const Unknowns& unknowns,
+                                               const CalibrationOptions& options);
+
+}  // namespace armcal

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: the armcal authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "armcal/identification/calibration.h"
+#include "armcal/identification/residuals/residual.h"
+
+namespace armcal {
+
+/// Residual of one observation at some values of the unknowns.
+struct ObservationResidual {
+  const Residual* residual = nullptr;
+  Eigen::Index observation = 0;
+  double length_mm =
+      0.0;  ///< root of the sum of squares of its rows; poses: of the mean over their three points
+};
+
+[[nodiscard]] std::vector<ObservationResidual> residuals_of_observations(
+    const std::vector<const Residual*>& residuals, const Unknowns& unknowns,
+    const Eigen::VectorXd& x);
+
+[[nodiscard]] ResidualStatistics statistics_of(const std::vector<ObservationResidual>& residuals,
+                                               const ObservationGroup& group);
+
+/// Rows that lie so far out that chance alone would put one there in a hundred such sets. The usual
+/// size is taken from the median, which a few of them do not move. Worst first.
+[[nodiscard]] std::vector<FlaggedRow> flagged_rows(
+    const std::vector<ObservationResidual>& residuals, bool is_check);
+
+}  // namespace armcal

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: the armcal authors
+// SPDX-License-Identifier: Apache-2.0
+#include "armcal/identification/residuals/measured_point.h"
+
+namespace armcal {
+namespace {
+
+bool is_of_tip(const TipColumn& column) {
+  return column.kind == ParameterKind::tip_a || column.kind == ParameterKind::tip_b ||
+         column.kind == ParameterKind::tip_d;
+}
+
+ArmModel with_tip_at(const ArmModel& arm, const Eigen::Vector3d& point_mm) {
+  ArmModel moved = arm;
+  moved.tip.a_mm = point_mm.x();
+  moved.tip.b_mm = point_mm.y();
+  moved.tip.d_mm = point_mm.z();
+  return moved;
+}
+
+Eigen::Vector3d tip_of(const ArmModel& arm) { return {arm.tip.a_mm, arm.tip.b_mm, arm.tip.d_mm}; }
+
+}  // namespace
+
+MeasuredPoint::MeasuredPoint(const ObservationGroup& group, const Eigen::MatrixXd& encoder_rad,
+                             Unknowns& unknowns, std::vector<int>& nuisances)
+    : postures_(encoder_rad), offset_mm_(group.offset_mm) {
+  if (group.target.empty()) return;
+  target_ = unknowns.add("target." + group.target, NuisanceKind::point);
+  nuisances.push_back(*target_);
+}
+
+void MeasuredPoint::fill(const ArmAt& at, const Unknowns& unknowns, const Eigen::VectorXd& x,
+                         Eigen::Index first, Eigen::Index count,
+                         const TipRows::Target& target) const {
+  if (!target_) {
+    if (offset_mm_.isZero(0.0)) {
+      at.tips.fill(postures_, first, count, target);
+      return;
+    }
+    const Eigen::Vector3d shift =
+        rotation_from_roll_pitch_yaw(at.arm.tip.roll_pitch_yaw_rad) * offset_mm_;
+    const TipRows shifted(with_tip_at(at.arm, tip_of(at.arm) + shift), unknowns.columns());
+    shifted.fill(postures_, first, count, target);
+    return;
+  }
+  // The target moves as the tip would; the arm's own tip does not count.
+  std::vector<TipColumn> columns = unknowns.columns();
+  const int last = at.arm.joint_count() - 1;
+  for (const ParameterKind kind :
+       {ParameterKind::tip_a, ParameterKind::tip_b, ParameterKind::tip_d}) {
+    columns.push_back({kind, last, 0});
+  }
+  const TipRows tips(with_tip_at(at.arm, unknowns.point(x, *target_)), columns);
+  tips.fill(postures_, first, count, target);
+  if (target.rows == nullptr) return;
+  for (std::size_t c = 0; c < unknowns.columns().size(); ++c) {
+    if (!is_of_tip(columns[c])) continue;
+    for (Eigen::Index k = 0; k < count; ++k) {
+      for (Eigen::Index r = 0; r < 3; ++r) {
+        target.rows[(target.rows_per_posture * k + r) * target.stride +
+                    static_cast<Eigen::Index>(c)] = 0.0;
+      }
+    }
+  }
+}
+
+Eigen::Matrix3Xd MeasuredPoint::start(const ArmAt& nominal, Unknowns& unknowns,
+                                      Eigen::VectorXd& x) const {
+  if (target_ && !unknowns[*target_].started) {
+    unknowns.set_point(x, *target_, tip_of(nominal.arm) + offset_mm_);
+    unknowns[*target_].started = true;
+  }
+  Eigen::Matrix3Xd points(3, postures_.count());
+  fill(nominal, unknowns, x, 0, postures_.count(), {.tips = points.data()});
+  return points;
+}
+
+}  // namespace armcal

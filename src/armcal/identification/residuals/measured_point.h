@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: the armcal authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+
+#include "armcal/identification/residuals/residual.h"
+
+namespace armcal {
+
+/// The point of the arm that a group's readings are of: the tip, a point at a known offset from it,
+/// or an unknown point of the last joint (a target), whose place is then the first nuisance of the
+/// residual.
+class MeasuredPoint {
+ public:
+  MeasuredPoint(const ObservationGroup& group, const Eigen::MatrixXd& encoder_rad,
+                Unknowns& unknowns, std::vector<int>& nuisances);
+
+  [[nodiscard]] const PosturePacks& postures() const { return postures_; }
+
+  /// Points of postures first .. and, with rows, their derivatives: the arm's columns, then the
+  /// target's.
+  void fill(const ArmAt& at, const Unknowns& unknowns, const Eigen::VectorXd& x, Eigen::Index first,
+            Eigen::Index count, const TipRows::Target& target) const;
+
+  /// All points at the start; a target without a value starts at the nominal tip.
+  [[nodiscard]] Eigen::Matrix3Xd start(const ArmAt& nominal, Unknowns& unknowns,
+                                       Eigen::VectorXd& x) const;
+
+  /// Number of columns before the residual's own nuisances.
+  [[nodiscard]] Eigen::Index columns(const Unknowns& unknowns) const {
+    return unknowns.arm_size() + (target_ ? 3 : 0);
+  }
+
+ private:
+  PosturePacks postures_;
+  Eigen::Vector3d offset_mm_;
+  std::optional<int> target_;
+};
+
+}  // namespace armcal

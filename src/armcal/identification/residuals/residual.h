@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: the armcal authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "armcal/identification/unknowns.h"
+#include "armcal/numerics/least_squares.h"
+#include "armcal/observations/observation_group.h"
+
+namespace armcal {
+
+/// The arm at one point of the iteration, shared by all residuals.
+struct ArmAt {
+  ArmModel arm;
+  TipRows tips;  ///< with the columns of Unknowns
+};
+
+/// The observations of one group that share their unknowns: one set-up, one fixed point, one
+/// placement. A kind of reference is one class derived from this, in a file of its own, and a line
+/// in registry.cc.
+///
+/// Columns of its rows: the arm's free parameters (where it depends on the arm), then its nuisances
+/// in their order. Rows are in mm, not yet divided by their uncertainty.
+class Residual {
+ public:
+  /// @param rows  of the group, in file order
+  Residual(const ObservationGroup& group, std::vector<int> rows)
+      : group_(&group), rows_(std::move(rows)) {}
+  virtual ~Residual() = default;
+  Residual(const Residual&) = delete;
+  Residual& operator=(const Residual&) = delete;
+
+  [[nodiscard]] const ObservationGroup& group() const { return *group_; }
+  /// Row of the group that observation `i` came from.
+  [[nodiscard]] int row(Eigen::Index i) const { return rows_[static_cast<std::size_t>(i)]; }
+  [[nodiscard]] Eigen::Index count() const { return static_cast<Eigen::Index>(rows_.size()); }
+  [[nodiscard]] double u_mm(Eigen::Index i) const { return group_->u_mm(row(i)); }
+  [[nodiscard]] const std::vector<int>& nuisances() const { return nuisances_; }
+
+  [[nodiscard]] virtual Eigen::Index rows_per_observation() const { return 3; }
+  [[nodiscard]] virtual bool depends_on_arm() const { return true; }
+  /// Do these observations know how long a millimetre is? A fixed point does not: an arm that is
+  /// longer by one in a thousand fits it as well.
+  [[nodiscard]] virtual bool knows_scale() const { return true; }
+
+  /// Gives its nuisances their start values on the nominal arm, those that have none yet.
+  /// @return in words why it cannot, where the observations are too poor
+  [[nodiscard]] virtual std::optional<std::string> start(const ArmAt& nominal, Unknowns& unknowns,
+                                                         Eigen::VectorXd& x) const = 0;
+
+  /// Fills observations first .. first + count - 1; `first` is a multiple of kLanes.
+  virtual void fill(const ArmAt& at, const Unknowns& unknowns, const Eigen::VectorXd& x,
+                    Eigen::Index first, Eigen::Index count, const BlockRows& rows) const = 0;
+
+ protected:
+  /// Encoder readings of its rows.
+  [[nodiscard]] Eigen::MatrixXd encoders(const Eigen::MatrixXd& of_group) const;
+  /// All its tips on an arm.
+  [[nodiscard]] static Eigen::Matrix3Xd all_tips(const TipRows& tips, const PosturePacks& postures);
+
+  std::vector<int> nuisances_;
+
+ private:
+  const ObservationGroup* group_;
+  std::vector<int> rows_;
+};
+
+/// Most observations that are filled at once.
+inline constexpr Eigen::Index kObservationsPerBlock = 64;
+
+/// Cuts a group into residuals, registering what they bring along as unknown. Rows of the other set
+/// (fit or check) are left out. The group must outlive them.
+[[nodiscard]] std::vector<std::unique_ptr<Residual>> residuals_of(const ObservationGroup& group,
+                                                                  bool check_rows,
+                                                                  Unknowns& unknowns);
+
+}  // namespace armcal
