@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "armcal/numerics/linear_algebra.h"
 
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 #include <Eigen/SVD>
 #include <limits>
@@ -10,6 +12,29 @@ namespace armcal {
 
 Eigen::VectorXd shortest_solution(const Eigen::MatrixXd& a, const Eigen::VectorXd& b) {
   return a.completeOrthogonalDecomposition().solve(b);
+}
+
+RankedSolution shortest_solution(const Eigen::MatrixXd& a, const Eigen::VectorXd& b,
+                                 double tolerance) {
+  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
+  decomposition.setThreshold(tolerance);
+  decomposition.compute(a);
+  return {decomposition.solve(b), decomposition.rank()};
+}
+
+void triangularise(Eigen::Ref<Eigen::MatrixXd> a) {
+  const Eigen::HouseholderQR<Eigen::Ref<Eigen::MatrixXd>> in_place(a);
+  a.triangularView<Eigen::StrictlyLower>().setZero();
+}
+
+std::optional<CholeskyFactor> cholesky_factor(const Eigen::MatrixXd& a) {
+  const Eigen::LLT<Eigen::MatrixXd> cholesky(a);
+  if (cholesky.info() != Eigen::Success) return std::nullopt;
+  return CholeskyFactor{cholesky.matrixLLT(), 1.0 / cholesky.rcond()};
+}
+
+Eigen::VectorXd symmetric_eigenvalues(const Eigen::MatrixXd& a) {
+  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(a, Eigen::EigenvaluesOnly).eigenvalues();
 }
 
 std::optional<Eigen::MatrixXd> inverse_factor(const Eigen::MatrixXd& a) {

@@ -14,6 +14,32 @@ namespace armcal {
 /// column exchange), so rank-deficient A is welcome.
 [[nodiscard]] Eigen::VectorXd shortest_solution(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
 
+struct RankedSolution {
+  Eigen::VectorXd x;
+  Eigen::Index rank = 0;
+};
+
+/// The same, with the rank that was found: columns count as dependent when less than `tolerance` of
+/// the longest one sticks out.
+[[nodiscard]] RankedSolution shortest_solution(const Eigen::MatrixXd& a, const Eigen::VectorXd& b,
+                                               double tolerance);
+
+/// Replaces `a` (at least as many rows as columns) by R of its QR decomposition, zeros below.
+/// Householder, without column exchange.
+void triangularise(Eigen::Ref<Eigen::MatrixXd> a);
+
+/// L with L L^T = a, of which the lower triangle is read, in the lower triangle; and an estimate of
+/// the condition number of a (in the 1-norm, within a factor of n of the usual one). Nothing when a
+/// is not positive definite to rounding.
+struct CholeskyFactor {
+  Eigen::MatrixXd l;
+  double condition_number = 0.0;
+};
+[[nodiscard]] std::optional<CholeskyFactor> cholesky_factor(const Eigen::MatrixXd& a);
+
+/// Eigenvalues of a symmetric matrix, rising; its lower triangle is read.
+[[nodiscard]] Eigen::VectorXd symmetric_eigenvalues(const Eigen::MatrixXd& a);
+
 /// W with W W^T = (A^T A)^-1, by QR of A with its columns scaled to unit length; nothing when A has
 /// fewer rows than columns, is not finite, or a column depends on the others to rounding.
 [[nodiscard]] std::optional<Eigen::MatrixXd> inverse_factor(const Eigen::MatrixXd& a);
