@@ -8,109 +8,292 @@
 
 #include "armcal/arm/parameter_table.h"
 #include "armcal/core/invariant.h"
+#include "armcal/numerics/gram_kernel.h"
 
 namespace armcal {
-namespace {
+// How wide vectors are is the processor's affair: the kernel is written for any vector type and
+// compiled for three. Every lane sees the same operations in the same order, so all give the same
+// digits (no contraction, see the build). A vector wider than the instructions of its function
+// would be kept in memory: docs/decisions/vector-kernels.md.
+#define ARMCAL_INLINE [[gnu::always_inline]] inline
 
-#define ARMCAL_INLINE inline __attribute__((always_inline))
+template <class Pack>
+class TipKernel {
+ public:
+  static constexpr Eigen::Index kWidth = sizeof(Pack) / sizeof(double);
 
-struct PackVector {
-  Pack x, y, z;
-};
+  ARMCAL_INLINE static void fill(const TipRows& rows, const PosturePacks& postures,
+                                 Eigen::Index pack, Eigen::Index lanes,
+                                 const TipRows::Target& target) {
+    for (Eigen::Index lane = 0; lane < lanes; lane += kWidth) {
+      TipRows::Target here = target;
+      here.tips += 3 * lane;
+      if (here.rows != nullptr) here.rows += target.rows_per_posture * lane * target.stride;
+      TipKernel(rows, postures, pack, lane, std::min(kWidth, lanes - lane)).run(here);
+    }
+  }
 
-ARMCAL_INLINE void copy_scaled(PackVector& out, const Pack& c, const PackVector& a, const Pack& s,
-                               const PackVector& b) {
-  out.x = c * a.x + s * b.x;
-  out.y = c * a.y + s * b.y;
-  out.z = c * a.z + s * b.z;
-}
+ private:
+  struct Vector {
+    Pack x, y, z;
+  };
 
-ARMCAL_INLINE void cross(PackVector& out, const PackVector& a, const PackVector& b) {
-  out.x = a.y * b.z - a.z * b.y;
-  out.y = a.z * b.x - a.x * b.z;
-  out.z = a.x * b.y - a.y * b.x;
-}
+  ARMCAL_INLINE TipKernel(const TipRows& rows, const PosturePacks& postures, Eigen::Index pack,
+                          Eigen::Index lane, Eigen::Index lanes)
+      : rows_(rows), postures_(postures), pack_(pack), lane_(lane), lanes_(lanes) {}
 
-ARMCAL_INLINE void fill(Pack& pack, double value) {
-  for (std::ptrdiff_t l = 0; l < kLanes; ++l) pack[l] = value;
-}
+  ARMCAL_INLINE static void set(Pack& pack, double value) {
+    for (Eigen::Index l = 0; l < kWidth; ++l) pack[l] = value;
+  }
+  ARMCAL_INLINE static void set(Vector& v, const Eigen::Vector3d& value) {
+    set(v.x, value.x());
+    set(v.y, value.y());
+    set(v.z, value.z());
+  }
+  ARMCAL_INLINE static void cross(Vector& out, const Vector& a, const Vector& b) {
+    out.x = a.y * b.z - a.z * b.y;
+    out.y = a.z * b.x - a.x * b.z;
+    out.z = a.x * b.y - a.y * b.x;
+  }
+  // (first, second) turned: first' = c first + s second, second' = c second - s first.
+  ARMCAL_INLINE static void turn(Vector& first, Vector& second, const Pack& c, const Pack& s) {
+    const Vector old = first;
+    first.x = c * old.x + s * second.x;
+    first.y = c * old.y + s * second.y;
+    first.z = c * old.z + s * second.z;
+    second.x = c * second.x - s * old.x;
+    second.y = c * second.y - s * old.y;
+    second.z = c * second.z - s * old.z;
+  }
 
-ARMCAL_INLINE void fill(PackVector& v, const Eigen::Vector3d& value) {
-  fill(v.x, value.x());
-  fill(v.y, value.y());
-  fill(v.z, value.z());
-}
+  ARMCAL_INLINE void load(Pack& sine, Pack& cosine, int joint) const {
+    const double* values = postures_.at(pack_, joint) + lane_;
+    for (Eigen::Index l = 0; l < kWidth; ++l) {
+      sine[l] = values[l];
+      cosine[l] = values[kLanes + l];
+    }
+  }
 
-// (first, second) turned: first' = c first + s second, second' = c second - s first.
-ARMCAL_INLINE void turn(PackVector& first, PackVector& second, const Pack& c, const Pack& s) {
-  PackVector turned;
-  copy_scaled(turned, c, first, s, second);
-  copy_scaled(second, c, second, -s, first);
-  first = turned;
-}
+  // Cosine and sine of (order) e from those of e, by the addition theorem.
+  ARMCAL_INLINE static void next_multiple(Pack& ck, Pack& sk, const Pack& c, const Pack& s) {
+    const Pack cosine = ck * c - sk * s;
+    sk = sk * c + ck * s;
+    ck = cosine;
+  }
 
-// Cosine and sine of k e for k = 1, 2, .. by the addition theorem.
-struct Multiples {
-  Pack cosine, sine;
-};
-
-ARMCAL_INLINE void next_multiple(Multiples& at, const Pack& c, const Pack& s) {
-  const Pack cosine = at.cosine * c - at.sine * s;
-  at.sine = at.sine * c + at.cosine * s;
-  at.cosine = cosine;
-}
-
-// Harmonics are errors of an encoder, far below this; where they are not the series would lose
-// digits.
-constexpr double kLargestSeriesAngle = 0.05;
-
-// Adds the angle h (a small one, by series; else by the library, lane by lane) to an angle given by
-// cosine and sine.
-ARMCAL_INLINE void add_angle(Pack& c, Pack& s, const Pack& h) {
-  bool small = true;
-  for (std::ptrdiff_t l = 0; l < kLanes; ++l) small = small && std::abs(h[l]) < kLargestSeriesAngle;
-  Pack ch;
-  Pack sh;
-  if (small) {
+  // Adds a small angle h (by its series; a large one by the library) to an angle given by cosine
+  // and sine.
+  ARMCAL_INLINE static void add_angle(Pack& c, Pack& s, const Pack& h) {
+    // Harmonics are errors of an encoder, far below this; where they are not the series would lose
+    // digits.
+    constexpr double kLargestSeriesAngle = 0.05;
+    bool small = true;
+    for (Eigen::Index l = 0; l < kWidth; ++l) small = small && std::abs(h[l]) < kLargestSeriesAngle;
     const Pack q = h * h;
-    sh = h * (1.0 - q / 6.0 * (1.0 - q / 20.0 * (1.0 - q / 42.0 * (1.0 - q / 72.0))));
-    ch = 1.0 - q / 2.0 * (1.0 - q / 12.0 * (1.0 - q / 30.0 * (1.0 - q / 56.0 * (1.0 - q / 90.0))));
-  } else {
-    for (std::ptrdiff_t l = 0; l < kLanes; ++l) {
+    Pack sh = h * (1.0 - q / 6.0 * (1.0 - q / 20.0 * (1.0 - q / 42.0 * (1.0 - q / 72.0))));
+    Pack ch =
+        1.0 - q / 2.0 * (1.0 - q / 12.0 * (1.0 - q / 30.0 * (1.0 - q / 56.0 * (1.0 - q / 90.0))));
+    for (Eigen::Index l = 0; !small && l < kWidth; ++l) {
       sh[l] = std::sin(h[l]);
       ch[l] = std::cos(h[l]);
     }
+    const Pack cosine = c * ch - s * sh;
+    s = s * ch + c * sh;
+    c = cosine;
   }
-  const Pack cosine = c * ch - s * sh;
-  s = s * ch + c * sh;
-  c = cosine;
+
+  ARMCAL_INLINE void joint_turn(std::size_t i, Pack& c, Pack& s) const {
+    const TipRows::PreparedJoint& joint = rows_.joints_[i];
+    Pack sin_e;
+    Pack cos_e;
+    load(sin_e, cos_e, static_cast<int>(i));
+    const Pack sin_turned = joint.direction * sin_e;
+    s = sin_turned * joint.cos_zero + cos_e * joint.sin_zero;
+    c = cos_e * joint.cos_zero - sin_turned * joint.sin_zero;
+    if (joint.harmonics.empty()) return;
+    Pack ck = cos_e;
+    Pack sk = sin_e;
+    Pack h = joint.harmonics[0].cos_rad * ck + joint.harmonics[0].sin_rad * sk;
+    for (std::size_t k = 1; k < joint.harmonics.size(); ++k) {
+      next_multiple(ck, sk, cos_e, sin_e);
+      h += joint.harmonics[k].cos_rad * ck + joint.harmonics[k].sin_rad * sk;
+    }
+    add_angle(c, s, h);
+  }
+
+  // From base to tip; what the derivatives need is kept of every joint.
+  ARMCAL_INLINE void sweep() {
+    Vector o;
+    Vector x;
+    Vector y;
+    Vector z;
+    set(o, rows_.base_.translation_mm);
+    set(x, rows_.base_.rotation.col(0));
+    set(y, rows_.base_.rotation.col(1));
+    set(z, rows_.base_.rotation.col(2));
+    const std::size_t n = rows_.joints_.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      Pack c;
+      Pack s;
+      joint_turn(i, c, s);
+      axis_[i] = z;
+      origin_[i] = o;
+      turn(x, y, c, s);
+      x_[i] = x;
+      y_[i] = y;
+      if (i + 1 == n) break;
+      const TipRows::PreparedLink& link = rows_.links_[i];
+      shift(o, link.a, x, link.b, y, link.d, z);
+      set(c, link.cos_alpha);
+      set(s, link.sin_alpha);
+      turn(y, z, c, s);
+      y_turned_[i] = y;
+      if (link.sin_beta != 0.0) {
+        set(c, link.cos_beta);
+        set(s, link.sin_beta);
+        turn(z, x, c, s);
+      }
+    }
+    tip_ = o;
+    shift(tip_, rows_.tip_.a_mm, x, rows_.tip_.b_mm, y, rows_.tip_.d_mm, z);
+  }
+  ARMCAL_INLINE static void shift(Vector& o, double a, const Vector& x, double b, const Vector& y,
+                                  double d, const Vector& z) {
+    o.x += a * x.x + b * y.x + d * z.x;
+    o.y += a * x.y + b * y.y + d * z.y;
+    o.z += a * x.z + b * y.z + d * z.z;
+  }
+
+  ARMCAL_INLINE void store(const TipRows::Target& target, std::size_t column,
+                           const Vector& v) const {
+    double* place = target.rows + column;
+    for (Eigen::Index l = 0; l < lanes_; ++l) {
+      place[0] = v.x[l];
+      place[target.stride] = v.y[l];
+      place[2 * target.stride] = v.z[l];
+      place += target.rows_per_posture * target.stride;
+    }
+  }
+
+  // Derivative by a turn about `axis` through the origin of a joint.
+  ARMCAL_INLINE void by_turn(Vector& out, const Vector& axis, std::size_t joint) const {
+    Vector lever;
+    lever.x = tip_.x - origin_[joint].x;
+    lever.y = tip_.y - origin_[joint].y;
+    lever.z = tip_.z - origin_[joint].z;
+    cross(out, axis, lever);
+  }
+
+  ARMCAL_INLINE void by_encoder(Vector& out, const TipColumn& column) const {
+    const auto i = static_cast<std::size_t>(column.joint);
+    by_turn(out, axis_[i], i);
+    Pack factor;
+    set(factor, rows_.joints_[i].direction);
+    if (column.harmonic > 0) {
+      Pack sin_e;
+      Pack cos_e;
+      load(sin_e, cos_e, column.joint);
+      Pack ck = cos_e;
+      Pack sk = sin_e;
+      for (int order = 1; order < column.harmonic; ++order) next_multiple(ck, sk, cos_e, sin_e);
+      factor = column.kind == ParameterKind::cosine ? ck : sk;
+    }
+    out.x *= factor;
+    out.y *= factor;
+    out.z *= factor;
+  }
+
+  ARMCAL_INLINE void run(const TipRows::Target& target) {
+    sweep();
+    for (Eigen::Index l = 0; l < lanes_; ++l) {
+      target.tips[3 * l] = tip_.x[l];
+      target.tips[3 * l + 1] = tip_.y[l];
+      target.tips[3 * l + 2] = tip_.z[l];
+    }
+    if (target.rows == nullptr) return;
+    for (std::size_t c = 0; c < rows_.columns_.size(); ++c) {
+      const TipColumn& column = rows_.columns_[c];
+      const auto i = static_cast<std::size_t>(column.joint);
+      Vector v;
+      switch (column.kind) {
+        case ParameterKind::d:
+        case ParameterKind::tip_d:
+          v = axis_[i];
+          break;
+        case ParameterKind::b:
+        case ParameterKind::tip_b:
+          v = y_[i];
+          break;
+        case ParameterKind::a:
+        case ParameterKind::tip_a:
+          v = x_[i];
+          break;
+        case ParameterKind::alpha:
+          by_turn(v, x_[i], i + 1);
+          break;
+        case ParameterKind::beta:
+          by_turn(v, y_turned_[i], i + 1);
+          break;
+        case ParameterKind::zero:
+        case ParameterKind::cosine:
+        case ParameterKind::sine:
+          by_encoder(v, column);
+          break;
+      }
+      store(target, c, v);
+    }
+  }
+
+  const TipRows& rows_;
+  const PosturePacks& postures_;
+  Eigen::Index pack_, lane_, lanes_;
+  Vector tip_;
+  std::array<Vector, kMaxJoints> axis_;  // z of the joint
+  std::array<Vector, kMaxJoints> origin_;
+  std::array<Vector, kMaxJoints> x_, y_;     // after the joint's turn
+  std::array<Vector, kMaxJoints> y_turned_;  // y after alpha: the axis of beta
+};
+
+namespace {
+
+using Pack2 [[gnu::vector_size(16)]] = double;
+void fill_by_two(const TipRows& rows, const PosturePacks& postures, Eigen::Index pack,
+                 Eigen::Index lanes, const TipRows::Target& target) {
+  TipKernel<Pack2>::fill(rows, postures, pack, lanes, target);
 }
+
+#if defined(__x86_64__) && defined(__GNUC__)
+using Pack4 [[gnu::vector_size(32)]] = double;
+using Pack8 [[gnu::vector_size(64)]] = double;
+[[gnu::target("avx2")]] void fill_by_four(const TipRows& rows, const PosturePacks& postures,
+                                          Eigen::Index pack, Eigen::Index lanes,
+                                          const TipRows::Target& target) {
+  TipKernel<Pack4>::fill(rows, postures, pack, lanes, target);
+}
+[[gnu::target("avx512f")]] void fill_by_eight(const TipRows& rows, const PosturePacks& postures,
+                                              Eigen::Index pack, Eigen::Index lanes,
+                                              const TipRows::Target& target) {
+  TipKernel<Pack8>::fill(rows, postures, pack, lanes, target);
+}
+#endif
 
 }  // namespace
 
 PosturePacks::PosturePacks(const Eigen::MatrixXd& encoder_rad)
     : joint_count_(static_cast<int>(encoder_rad.rows())), count_(encoder_rad.cols()) {
   const Eigen::Index packs = (count_ + kLanes - 1) / kLanes;
-  at_.resize(static_cast<std::size_t>(2 * packs * joint_count_));
+  values_.resize(static_cast<std::size_t>(2 * kLanes * packs * joint_count_));
   for (Eigen::Index p = 0; p < packs; ++p) {
     for (int joint = 0; joint < joint_count_; ++joint) {
-      const auto place = static_cast<std::size_t>(2 * (p * joint_count_ + joint));
+      double* place = values_.data() + 2 * kLanes * (p * joint_count_ + joint);
       for (Eigen::Index l = 0; l < kLanes; ++l) {
         const double e = encoder_rad(joint, std::min(p * kLanes + l, count_ - 1));
-        at_[place][l] = std::sin(e);
-        at_[place + 1][l] = std::cos(e);
+        place[l] = std::sin(e);
+        place[kLanes + l] = std::cos(e);
       }
     }
   }
 }
-
-// What the forward sweep leaves behind of every joint.
-struct TipRows::Frames {
-  std::array<PackVector, kMaxJoints> axis;      // z before the joint turns (and after: the same)
-  std::array<PackVector, kMaxJoints> origin;    // of the joint
-  std::array<PackVector, kMaxJoints> x, y;      // after the joint's turn
-  std::array<PackVector, kMaxJoints> y_turned;  // y after alpha: the axis of beta
-};
 
 std::vector<TipColumn> tip_columns(const ParameterTable& table, std::span<const int> parameters) {
   std::vector<TipColumn> columns;
@@ -141,138 +324,21 @@ TipRows::TipRows(const ArmModel& arm, std::span<const TipColumn> columns)
   }
 }
 
-ARMCAL_FOR_EVERY_PROCESSOR
-void TipRows::fill_pack(const TipRows& self, const PosturePacks& postures, Eigen::Index pack,
-                        Eigen::Index lanes, const Target& target) {
-  const auto n = self.joints_.size();
-  Frames at;
-  PackVector o;
-  PackVector x;
-  PackVector y;
-  PackVector z;
-  armcal::fill(o, self.base_.translation_mm);
-  armcal::fill(x, self.base_.rotation.col(0));
-  armcal::fill(y, self.base_.rotation.col(1));
-  armcal::fill(z, self.base_.rotation.col(2));
-  for (std::size_t i = 0; i < n; ++i) {
-    const PreparedJoint& joint = self.joints_[i];
-    const Pack& sin_e = postures.sine(pack, static_cast<int>(i));
-    const Pack& cos_e = postures.cosine(pack, static_cast<int>(i));
-    const Pack sin_turned = joint.direction * sin_e;
-    Pack s = sin_turned * joint.cos_zero + cos_e * joint.sin_zero;
-    Pack c = cos_e * joint.cos_zero - sin_turned * joint.sin_zero;
-    if (!joint.harmonics.empty()) {
-      Multiples k{cos_e, sin_e};
-      Pack h = joint.harmonics[0].cos_rad * k.cosine + joint.harmonics[0].sin_rad * k.sine;
-      for (std::size_t j = 1; j < joint.harmonics.size(); ++j) {
-        next_multiple(k, cos_e, sin_e);
-        h += joint.harmonics[j].cos_rad * k.cosine + joint.harmonics[j].sin_rad * k.sine;
-      }
-      add_angle(c, s, h);
-    }
-    at.axis[i] = z;
-    at.origin[i] = o;
-    turn(x, y, c, s);
-    at.x[i] = x;
-    at.y[i] = y;
-    if (i + 1 == n) break;
-    const PreparedLink& link = self.links_[i];
-    o.x += link.a * x.x + link.b * y.x + link.d * z.x;
-    o.y += link.a * x.y + link.b * y.y + link.d * z.y;
-    o.z += link.a * x.z + link.b * y.z + link.d * z.z;
-    Pack cosine;
-    Pack sine;
-    armcal::fill(cosine, link.cos_alpha);
-    armcal::fill(sine, link.sin_alpha);
-    turn(y, z, cosine, sine);
-    at.y_turned[i] = y;
-    if (link.sin_beta != 0.0) {
-      armcal::fill(cosine, link.cos_beta);
-      armcal::fill(sine, link.sin_beta);
-      turn(z, x, cosine, sine);
-    }
-  }
-  PackVector p;
-  p.x = o.x + (self.tip_.a_mm * x.x + self.tip_.b_mm * y.x + self.tip_.d_mm * z.x);
-  p.y = o.y + (self.tip_.a_mm * x.y + self.tip_.b_mm * y.y + self.tip_.d_mm * z.y);
-  p.z = o.z + (self.tip_.a_mm * x.z + self.tip_.b_mm * y.z + self.tip_.d_mm * z.z);
-  for (Eigen::Index l = 0; l < lanes; ++l) {
-    target.tips[3 * l] = p.x[l];
-    target.tips[3 * l + 1] = p.y[l];
-    target.tips[3 * l + 2] = p.z[l];
-  }
-  if (target.rows == nullptr) return;
-
-  const auto store = [&](std::size_t column, const PackVector& v) __attribute__((always_inline)) {
-    double* place = target.rows + column;
-    for (Eigen::Index l = 0; l < lanes; ++l) {
-      place[0] = v.x[l];
-      place[target.stride] = v.y[l];
-      place[2 * target.stride] = v.z[l];
-      place += target.rows_per_posture * target.stride;
-    }
-  };
-  const auto lever_to_tip = [&](std::size_t joint) __attribute__((always_inline)) {
-    return PackVector{p.x - at.origin[joint].x, p.y - at.origin[joint].y, p.z - at.origin[joint].z};
-  };
-  for (std::size_t c = 0; c < self.columns_.size(); ++c) {
-    const TipColumn& column = self.columns_[c];
-    const auto i = static_cast<std::size_t>(column.joint);
-    PackVector v;
-    switch (column.kind) {
-      case ParameterKind::d:
-      case ParameterKind::tip_d:
-        store(c, at.axis[i]);
-        break;
-      case ParameterKind::b:
-      case ParameterKind::tip_b:
-        store(c, at.y[i]);
-        break;
-      case ParameterKind::a:
-      case ParameterKind::tip_a:
-        store(c, at.x[i]);
-        break;
-      case ParameterKind::alpha:
-        cross(v, at.x[i], lever_to_tip(i + 1));
-        store(c, v);
-        break;
-      case ParameterKind::beta:
-        cross(v, at.y_turned[i], lever_to_tip(i + 1));
-        store(c, v);
-        break;
-      case ParameterKind::zero:
-      case ParameterKind::cosine:
-      case ParameterKind::sine: {
-        cross(v, at.axis[i], lever_to_tip(i));
-        Pack factor;
-        armcal::fill(factor, self.joints_[i].direction);
-        if (column.harmonic > 0) {
-          const Pack& cos_e = postures.cosine(pack, column.joint);
-          const Pack& sin_e = postures.sine(pack, column.joint);
-          Multiples k{cos_e, sin_e};
-          for (int order = 1; order < column.harmonic; ++order) next_multiple(k, cos_e, sin_e);
-          factor = column.kind == ParameterKind::cosine ? k.cosine : k.sine;
-        }
-        v.x *= factor;
-        v.y *= factor;
-        v.z *= factor;
-        store(c, v);
-        break;
-      }
-    }
-  }
-}
-
 void TipRows::fill(const PosturePacks& postures, Eigen::Index first, Eigen::Index count,
                    const Target& target) const {
   ARMCAL_INVARIANT(first % kLanes == 0 && first + count <= postures.count());
   ARMCAL_INVARIANT(postures.joint_count() == static_cast<int>(joints_.size()));
+  auto fill = fill_by_two;
+#if defined(__x86_64__) && defined(__GNUC__)
+  const VectorWidth width = widest_vectors();
+  if (width == VectorWidth::four) fill = fill_by_four;
+  if (width == VectorWidth::eight) fill = fill_by_eight;
+#endif
   for (Eigen::Index done = 0; done < count; done += kLanes) {
     Target here = target;
     here.tips += 3 * done;
     if (here.rows != nullptr) here.rows += target.rows_per_posture * done * target.stride;
-    fill_pack(*this, postures, (first + done) / kLanes,
-              std::min<Eigen::Index>(kLanes, count - done), here);
+    fill(*this, postures, (first + done) / kLanes, std::min(kLanes, count - done), here);
   }
 }
 

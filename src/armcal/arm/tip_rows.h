@@ -8,9 +8,11 @@
 
 #include "armcal/arm/arm_model.h"
 #include "armcal/arm/parameter_table.h"
-#include "armcal/numerics/pack.h"
 
 namespace armcal {
+
+/// Postures that are computed side by side.
+inline constexpr Eigen::Index kLanes = 8;
 
 /// Postures of an arm, ready for TipRows: sine and cosine of every encoder reading, eight postures
 /// side by side (the last pack is filled up with its last posture). Readings do not change while an
@@ -23,17 +25,15 @@ class PosturePacks {
 
   [[nodiscard]] int joint_count() const { return joint_count_; }
   [[nodiscard]] Eigen::Index count() const { return count_; }
-  [[nodiscard]] const Pack& sine(Eigen::Index pack, int joint) const {
-    return at_[static_cast<std::size_t>(2 * (pack * joint_count_ + joint))];
-  }
-  [[nodiscard]] const Pack& cosine(Eigen::Index pack, int joint) const {
-    return at_[static_cast<std::size_t>(2 * (pack * joint_count_ + joint) + 1)];
+  /// kLanes sines, then as many cosines, of one joint in one pack.
+  [[nodiscard]] const double* at(Eigen::Index pack, int joint) const {
+    return values_.data() + 2 * kLanes * (pack * joint_count_ + joint);
   }
 
  private:
   int joint_count_ = 0;
   Eigen::Index count_ = 0;
-  std::vector<Pack> at_;
+  std::vector<double> values_;
 };
 
 /// One derivative column of TipRows.
@@ -81,10 +81,8 @@ class TipRows {
   struct PreparedLink {
     double d, b, a, cos_alpha, sin_alpha, cos_beta, sin_beta;
   };
-  struct Frames;
-
-  static void fill_pack(const TipRows& self, const PosturePacks& postures, Eigen::Index pack,
-                        Eigen::Index lanes, const Target& target);
+  template <class Pack>
+  friend class TipKernel;
 
   RigidTransform base_;
   std::vector<PreparedJoint> joints_;

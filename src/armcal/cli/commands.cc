@@ -10,6 +10,7 @@ std::vector<Command> all_commands() {
           fit_command(),
           register_command(),
           symmetric_point_command(),
+          calibrate_command(),
           verify_command(),
           convert_command()};
 }

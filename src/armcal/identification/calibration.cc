@@ -8,10 +8,13 @@
 #include <cmath>
 #include <numeric>
 
+#include "armcal/arm/forward_kinematics.h"
 #include "armcal/core/spelling.h"
 #include "armcal/identification/check_rows.h"
 #include "armcal/identification/choice_of_unknowns.h"
+#include "armcal/identification/coverage.h"
 #include "armcal/identification/estimation_problem.h"
+#include "armcal/identification/nuisance_values.h"
 #include "armcal/identification/residual_statistics.h"
 #include "armcal/numerics/distributions.h"
 
@@ -212,7 +215,7 @@ class Calibrator {
           chi_squared_survival(result_.chi_squared, result_.degrees_of_freedom);
     }
     finish_parameters();
-    finish_nuisances();
+    result_.nuisances = nuisance_values(unknowns_, x_, widening() * factor_of_all());
     finish_residuals();
   }
 
@@ -254,63 +257,6 @@ class Calibrator {
     return "held by the user";
   }
 
-  // Values of frames are those of the pose; a step turns about the pivot, so the shift of the
-  // origin depends on both.
-  void finish_nuisances() {
-    Eigen::MatrixXd W =
-        Eigen::MatrixXd::Zero(unknowns_.step_size(), solution_.inverse_factor.cols());
-    for (std::size_t i = 0; i < active_.size(); ++i) {
-      W.row(active_[i]) = widening() * solution_.inverse_factor.row(static_cast<Eigen::Index>(i));
-    }
-    for (int id = 0; id < static_cast<int>(unknowns_.nuisances().size()); ++id) {
-      const Nuisance& nuisance = unknowns_[id];
-      const auto add = [&](const std::string& part, ParameterUnit unit, double value, double u) {
-        result_.nuisances.push_back({nuisance.name + "." + part, unit, value, u});
-      };
-      const auto u_of = [&](Eigen::Index step) { return W.row(nuisance.step + step).norm(); };
-      constexpr const char* kTurns[] = {"rx", "ry", "rz"};
-      constexpr const char* kAxes[] = {"x", "y", "z"};
-      switch (nuisance.kind) {
-        case NuisanceKind::frame: {
-          const RigidTransform pose = unknowns_.frame(x_, id);
-          const Eigen::MatrixXd by_step =
-              -skew(pose.translation_mm - nuisance.pivot_mm) * W.middleRows(nuisance.step, 3) +
-              W.middleRows(nuisance.step + 3, 3);
-          const Eigen::Vector3d turn = vector_from_rotation(pose.rotation);
-          for (int k = 0; k < 3; ++k)
-            add(kAxes[k], ParameterUnit::mm, pose.translation_mm(k), by_step.row(k).norm());
-          for (int k = 0; k < 3; ++k) add(kTurns[k], ParameterUnit::rad, turn(k), u_of(k));
-          break;
-        }
-        case NuisanceKind::point:
-          for (int k = 0; k < 3; ++k)
-            add(kAxes[k], ParameterUnit::mm, unknowns_.point(x_, id)(k), u_of(k));
-          break;
-        case NuisanceKind::radius:
-          add("radius", ParameterUnit::mm, unknowns_.radius(x_, id), u_of(0));
-          break;
-        case NuisanceKind::plane: {
-          const Eigen::Vector4d plane = unknowns_.plane(x_, id);
-          const auto [first, second] = perpendicular_pair(plane.head<3>());
-          const Eigen::MatrixXd by_step =
-              first * W.row(nuisance.step) + second * W.row(nuisance.step + 1);
-          for (int k = 0; k < 3; ++k)
-            add(std::string("n") + kAxes[k], ParameterUnit::rad, plane(k), by_step.row(k).norm());
-          const Eigen::RowVectorXd distance =
-              first.dot(nuisance.pivot_mm) * W.row(nuisance.step) +
-              second.dot(nuisance.pivot_mm) * W.row(nuisance.step + 1) + W.row(nuisance.step + 2);
-          add("distance", ParameterUnit::mm, plane(3), distance.norm());
-          break;
-        }
-        case NuisanceKind::rotation: {
-          const Eigen::Vector3d turn = vector_from_rotation(unknowns_.rotation(x_, id));
-          for (int k = 0; k < 3; ++k) add(kTurns[k], ParameterUnit::rad, turn(k), u_of(k));
-          break;
-        }
-      }
-    }
-  }
-
   void record(const std::vector<ObservationResidual>& residuals, bool is_check) {
     for (const ObservationResidual& each : residuals) {
       const auto group = static_cast<int>(&each.residual->group() - groups_.data());
@@ -342,53 +288,22 @@ class Calibrator {
       if (check.registered)
         result_.groups[g].check_registered = statistics_of(registered, groups_[g]);
     }
-    count_coverage(check, pointers);
+    const Coverage coverage = coverage_of(check, unknowns_, factor_of_all(), widening());
+    result_.check_count = coverage.count;
+    if (coverage.count > 0) {
+      result_.check_coverage =
+          static_cast<double>(coverage.inside) / static_cast<double>(coverage.count);
+    }
   }
 
-  // Is a held-out residual within what the covariance of the arm, of known frames and points, and
-  // the scatter of a reading together predict? Rows that place their own frames are predicted a
-  // little too wide.
-  void count_coverage(const CheckRows& check, const std::vector<const Residual*>& pointers) {
-    // The check rows by all unknowns of the fit, in its order; what only they know has no column.
-    Unknowns with_arm = check.unknowns.with_free(unknowns_.free());
-    const Eigen::VectorXd x = with_arm.state_from(check.unknowns, check.x);
-    const EstimationProblem problem(pointers, with_arm, {});
+  // Rows: all unknowns, zero where one is held. W W^T is their covariance, not widened.
+  [[nodiscard]] Eigen::MatrixXd factor_of_all() const {
     Eigen::MatrixXd W =
-        Eigen::MatrixXd::Zero(with_arm.step_size(), solution_.inverse_factor.cols());
+        Eigen::MatrixXd::Zero(unknowns_.step_size(), solution_.inverse_factor.cols());
     for (std::size_t i = 0; i < active_.size(); ++i) {
       W.row(active_[i]) = solution_.inverse_factor.row(static_cast<Eigen::Index>(i));
     }
-    const auto at = problem.at(x);
-    Eigen::Index inside = 0;
-    for (int b = 0; b < problem.block_count(); ++b) {
-      const auto shape = problem.shape(b);
-      const auto columns = static_cast<Eigen::Index>(shape.columns.size());
-      const Eigen::Index stride = (columns + 8) / 8 * 8;
-      std::vector<double> data(static_cast<std::size_t>(shape.rows * stride), 0.0);
-      at->fill(b, {shape.rows, columns, stride, data.data()});
-      const Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>
-          rows(data.data(), shape.rows, stride);
-      Eigen::MatrixXd own(columns, W.cols());
-      for (Eigen::Index c = 0; c < columns; ++c)
-        own.row(c) = W.row(shape.columns[static_cast<std::size_t>(c)]);
-      const Eigen::MatrixXd spread =
-          rows.leftCols(columns) * own;  // whitened residuals by whitened noise
-      const Eigen::Index size = shape.rows_per_observation;
-      for (Eigen::Index first = 0; first < shape.rows; first += size) {
-        const auto part = spread.middleRows(first, size);
-        const Eigen::MatrixXd covariance =
-            widening() * widening() *
-            (Eigen::MatrixXd::Identity(size, size) + part * part.transpose());
-        const Eigen::VectorXd r = rows.col(columns).segment(first, size);
-        const double square = r.dot(covariance.llt().solve(r));
-        inside += square <= chi_squared_quantile(0.95, static_cast<double>(size));
-        ++result_.check_count;
-      }
-    }
-    if (result_.check_count > 0) {
-      result_.check_coverage =
-          static_cast<double>(inside) / static_cast<double>(result_.check_count);
-    }
+    return W;
   }
 
   std::span<const ObservationGroup> groups_;

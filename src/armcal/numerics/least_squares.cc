@@ -90,8 +90,7 @@ LeastSquaresSolution Iteration::run(const Eigen::VectorXd& start) {
     Eigen::VectorXd x = moved(step);
     builder_.build(x, there_);
     const bool usable = there_.finite();
-    const double gain =
-        usable ? (here_.cost - there_.cost) / step.predicted_decrease : -kInfinity;
+    const double gain = usable ? (here_.cost - there_.cost) / step.predicted_decrease : -kInfinity;
     const bool unasked = usable && blind(step);
     if (!unasked) adapt_radius(step, gain);
     if (!unasked && !(gain > kLeastGain)) continue;
@@ -102,9 +101,7 @@ LeastSquaresSolution Iteration::run(const Eigen::VectorXd& start) {
 
 // Prepares for steps from the point that here_ belongs to.
 void Iteration::enter() {
-  const auto triangular = [this] {
-    return triangular_system(problem_, plan_, solution_.x, pass_);
-  };
+  const auto triangular = [this] { return triangular_system(problem_, plan_, solution_.x, pass_); };
   model_.emplace(here_, triangular);
   if (longest_columns_.size() == 0) longest_columns_ = model_->scales();
   longest_columns_ = longest_columns_.cwiseMax(model_->scales());
@@ -168,11 +165,16 @@ LeastSquaresSolution Iteration::ended(Termination termination) {
 
 std::string_view to_string(Termination termination) {
   switch (termination) {
-    case Termination::converged: return "converged";
-    case Termination::iteration_limit: return "iteration limit";
-    case Termination::no_decrease: return "no decrease";
-    case Termination::rank_deficient: return "rank deficient";
-    case Termination::not_finite: return "not finite";
+    case Termination::converged:
+      return "converged";
+    case Termination::iteration_limit:
+      return "iteration limit";
+    case Termination::no_decrease:
+      return "no decrease";
+    case Termination::rank_deficient:
+      return "rank deficient";
+    case Termination::not_finite:
+      return "not finite";
   }
   return "";
 }

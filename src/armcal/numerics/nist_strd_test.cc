@@ -144,16 +144,15 @@ const std::map<std::string, Model>& models() {
        [](const auto& b, const Row& r) {
          return b[0] * (1.0 - 1.0 / square(1.0 + 0.5 * b[1] * r[1]));
        }},
-      {"Misra1c",
-       [](const auto& b, const Row& r) { return b[0] * (1.0 - 1.0 / sqrt(1.0 + 2.0 * b[1] * r[1])); }},
+      {"Misra1c", [](const auto& b,
+                     const Row& r) { return b[0] * (1.0 - 1.0 / sqrt(1.0 + 2.0 * b[1] * r[1])); }},
       {"Misra1d",
        [](const auto& b, const Row& r) { return b[0] * b[1] * r[1] / (1.0 + b[1] * r[1]); }},
-      {"Nelson", [](const auto& b, const Row& r) { return b[0] - b[1] * r[1] * exp(-b[2] * r[2]); }},
+      {"Nelson",
+       [](const auto& b, const Row& r) { return b[0] - b[1] * r[1] * exp(-b[2] * r[2]); }},
       {"Rat42", [](const auto& b, const Row& r) { return b[0] / (1.0 + exp(b[1] - b[2] * r[1])); }},
-      {"Rat43",
-       [](const auto& b, const Row& r) {
-         return b[0] / pow(1.0 + exp(b[1] - b[2] * r[1]), 1.0 / b[3]);
-       }},
+      {"Rat43", [](const auto& b,
+                   const Row& r) { return b[0] / pow(1.0 + exp(b[1] - b[2] * r[1]), 1.0 / b[3]); }},
       {"Roszman1",
        [](const auto& b, const Row& r) {
          return b[0] - b[1] * r[1] - atan(b[2] / (r[1] - b[3])) / std::numbers::pi;
@@ -202,7 +201,8 @@ std::vector<Dataset> datasets() {
     set.name = entry.at("name");
     set.rows = read_rows(folder / entry.at("data").get<std::string>());
     set.starts = {numbers(entry.at("start1")), numbers(entry.at("start2"))};
-    // Certified to 11 digits; refined further where the certified residuals are rounding themselves.
+    // Certified to 11 digits; refined further where the certified residuals are rounding
+    // themselves.
     set.parameters = numbers(entry.at("refined_values_30d"));
     set.deviations = numbers(entry.at("refined_std_20d"));
     all.push_back(std::move(set));
@@ -275,19 +275,21 @@ Digits digits(const Dataset& set, const LeastSquaresSolution& solution) {
 
 LeastSquaresSolution solved(const Dataset& set, std::size_t start) {
   const Regression problem(set);
-  return solve_least_squares(
-      problem, set.starts[start],
-      {.max_iterations = 1000, .residual_resolution = problem.resolution()});
+  return solve_least_squares(problem, set.starts[start],
+                             {.max_iterations = 1000, .residual_resolution = problem.resolution()});
 }
 
 TEST(NistStrd, ProbeAll) {
   ARMCAL_NEEDS_REFERENCE_DATA();
   for (std::size_t start : {0u, 1u})
-  for (const Dataset& set : datasets()) {
-    const auto s = solved(set, start);
-    Digits d; if (s.ok()) d = digits(set, s);
-    std::printf("%zu %-9s %-15s it %4d cond %.2e cost %.6e  lre %.1f %.1f\n", start+1, set.name.c_str(), std::string(to_string(s.termination)).c_str(), s.iterations, s.condition_number, s.cost, d.parameters, d.deviations);
-  }
+    for (const Dataset& set : datasets()) {
+      const auto s = solved(set, start);
+      Digits d;
+      if (s.ok()) d = digits(set, s);
+      std::printf("%zu %-9s %-15s it %4d cond %.2e cost %.6e  lre %.1f %.1f\n", start + 1,
+                  set.name.c_str(), std::string(to_string(s.termination)).c_str(), s.iterations,
+                  s.condition_number, s.cost, d.parameters, d.deviations);
+    }
 }
 
 }  // namespace

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: the armcal authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "armcal/identification/calibration.h"
+#include "armcal/io/session_file.h"
+#include "armcal/workflow/input_files.h"
+
+namespace armcal {
+
+/// A session with everything that it names.
+struct LoadedSession {
+  Session session;
+  ArmModel arm;
+  std::vector<ObservationGroup> groups;
+  CalibrationOptions options;
+};
+
+/// Reads a session (*.session.toml), its arm and its tables; holds out the rows that it wants
+/// checked.
+/// @throws InputError with every problem of all files
+[[nodiscard]] LoadedSession load_session(InputFiles& files, const std::string& path);
+
+/// @throws NumericalError where the readings cannot give a calibration, with the reason
+[[nodiscard]] Calibration run_calibration(const LoadedSession& loaded);
+
+}  // namespace armcal
