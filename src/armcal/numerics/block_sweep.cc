@@ -46,8 +46,8 @@ void check_shape(const LeastSquaresProblem::BlockShape& shape, int block, int un
 Eigen::Index shard_count(double work, Eigen::Index unknowns, int blocks) {
   const auto by_work = static_cast<Eigen::Index>(std::min(work / kShardWork, 1e6));
   const Eigen::Index by_memory = kShardMemory / ((unknowns + 1) * (unknowns + 1));
-  return std::max<Eigen::Index>(
-      1, std::min({by_work, by_memory, kMostShards, Eigen::Index{blocks}}));
+  return std::max<Eigen::Index>(1,
+                                std::min({by_work, by_memory, kMostShards, Eigen::Index{blocks}}));
 }
 
 double weigh_rows(const BlockRows& rows, Eigen::Index rows_per_observation,
@@ -117,8 +117,8 @@ double sweep_shard(const LeastSquaresProblem& problem,
   for (int block = plan.shard_begin(shard); block < plan.shard_end(shard); ++block) {
     if (stop.stop_requested()) throw Interrupted();
     const auto shape = problem.shape(block);
-    if (gathered.rows > 0 && (gathered.rows + shape.rows > room ||
-                              !std::ranges::equal(columns, shape.columns))) {
+    if (gathered.rows > 0 &&
+        (gathered.rows + shape.rows > room || !std::ranges::equal(columns, shape.columns))) {
       sink.add(columns, gathered);
       gathered.rows = 0;
     }

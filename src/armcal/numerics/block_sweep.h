@@ -14,8 +14,8 @@
 namespace armcal {
 
 /// How the blocks of a problem are cut into shards: runs of neighbouring blocks that are summed on
-/// their own and put together in their order. A function of the problem alone, so sums have the same
-/// digits for every number of threads.
+/// their own and put together in their order. A function of the problem alone, so sums have the
+/// same digits for every number of threads.
 struct BlockPlan {
   Eigen::Index unknowns = 0;
   Eigen::Index rows = 0;
@@ -50,9 +50,7 @@ class AlignedBuffer {
 };
 
 /// The stride of rows with so many derivatives and a residual.
-[[nodiscard]] inline Eigen::Index row_stride(Eigen::Index columns) {
-  return (columns + 8) / 8 * 8;
-}
+[[nodiscard]] inline Eigen::Index row_stride(Eigen::Index columns) { return (columns + 8) / 8 * 8; }
 
 /// Takes rows, already weighted, of one or several blocks with the same columns.
 class RowSink {
@@ -68,7 +66,8 @@ struct LossChoice {
 };
 
 /// Fills the blocks of one shard in `workspace` and hands them to `sink`, small neighbours with
-/// equal columns together. Returns the sum of the losses. Throws Interrupted when `stop` asks for it.
+/// equal columns together. Returns the sum of the losses. Throws Interrupted when `stop` asks for
+/// it.
 double sweep_shard(const LeastSquaresProblem& problem,
                    const LeastSquaresProblem::Evaluation& evaluation, const BlockPlan& plan,
                    int shard, const LossChoice& loss, const std::stop_token& stop,

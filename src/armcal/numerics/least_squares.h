@@ -13,8 +13,8 @@ namespace armcal {
 
 /// Why the iteration ended. Only the first is a result.
 enum class Termination {
-  converged,  ///< the undamped step would lower the cost by no more than relative_decrease of it (or
-              ///< of the resolution); that step has been taken
+  converged,  ///< the undamped step would lower the cost by no more than relative_decrease of it
+              ///< (or of the resolution); that step has been taken
   iteration_limit,
   no_decrease,     ///< no step, however short, lowers the cost
   rank_deficient,  ///< at rest, but a column depends on the others: the optimum is not a point
@@ -37,8 +37,8 @@ struct LeastSquaresOptions {
 struct LeastSquaresSolution {
   Termination termination = Termination::not_finite;
   Eigen::VectorXd x;
-  /// Sum of squared residuals (robust: of the loss), at x. Of a converged solution: as predicted for
-  /// its last step, which no pass has checked since it is below what the cost can show.
+  /// Sum of squared residuals (robust: of the loss), at x. Of a converged solution: as predicted
+  /// for its last step, which no pass has checked since it is below what the cost can show.
   double cost = 0.0;
   Eigen::Index rows = 0;
   int iterations = 0;             ///< steps tried, the last one included
@@ -51,20 +51,20 @@ struct LeastSquaresSolution {
 };
 
 /// Levenberg-Marquardt in a trust region for problems whose Jacobian is too large to keep: up to
-/// about 1000 unknowns, any number of rows. One pass over the blocks at each trial point yields cost,
-/// gradient and normal equations together. Steps by Cholesky of the column-scaled normal equations;
-/// where the condition number of the scaled Jacobian is above 1e5, by QR, with a second pass.
-/// Method: theory/least_squares.md eq. (11)-(23).
+/// about 1000 unknowns, any number of rows. One pass over the blocks at each trial point yields
+/// cost, gradient and normal equations together. Steps by Cholesky of the column-scaled normal
+/// equations; where the condition number of the scaled Jacobian is above 1e5, by QR, with a second
+/// pass. Method: theory/least_squares.md eq. (11)-(23).
 ///
-/// Throws Interrupted when the monitor's stop is requested, std::invalid_argument where block shapes
-/// contradict each other, and whatever the problem throws.
+/// Throws Interrupted when the monitor's stop is requested, std::invalid_argument where block
+/// shapes contradict each other, and whatever the problem throws.
 [[nodiscard]] LeastSquaresSolution solve_least_squares(const LeastSquaresProblem& problem,
                                                        const Eigen::VectorXd& start,
                                                        const LeastSquaresOptions& options = {});
 
-/// R of the QR decomposition of the whole Jacobian at x, built up block by block (its columns depend
-/// on each other exactly as those of the Jacobian, so analyse_rank takes it in its place). n x n;
-/// not weighted by a loss. theory/least_squares.md eq. (15).
+/// R of the QR decomposition of the whole Jacobian at x, built up block by block (its columns
+/// depend on each other exactly as those of the Jacobian, so analyse_rank takes it in its place). n
+/// x n; not weighted by a loss. theory/least_squares.md eq. (15).
 [[nodiscard]] Eigen::MatrixXd triangular_factor(const LeastSquaresProblem& problem,
                                                 const Eigen::VectorXd& x,
                                                 const Monitor& monitor = {}, int threads = 1);

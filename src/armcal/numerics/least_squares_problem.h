@@ -40,8 +40,8 @@ class LeastSquaresProblem {
   class Evaluation {
    public:
     virtual ~Evaluation() = default;
-    /// Fills derivatives and residuals. A point where the model is not defined is told by a residual
-    /// that is not finite.
+    /// Fills derivatives and residuals. A point where the model is not defined is told by a
+    /// residual that is not finite.
     virtual void fill(int block, const BlockRows& rows) const = 0;
   };
 
@@ -49,7 +49,8 @@ class LeastSquaresProblem {
   [[nodiscard]] virtual int block_count() const = 0;
   [[nodiscard]] virtual BlockShape shape(int block) const = 0;
   [[nodiscard]] virtual std::unique_ptr<Evaluation> at(const Eigen::VectorXd& x) const = 0;
-  /// Moves `x` by a step of unknown_count() numbers; x itself may hold more (directions, rotations).
+  /// Moves `x` by a step of unknown_count() numbers; x itself may hold more (directions,
+  /// rotations).
   [[nodiscard]] virtual Eigen::VectorXd moved(const Eigen::VectorXd& x,
                                               const Eigen::VectorXd& step) const {
     return x + step;

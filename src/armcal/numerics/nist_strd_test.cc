@@ -144,16 +144,15 @@ const std::map<std::string, Model>& models() {
        [](const auto& b, const Row& r) {
          return b[0] * (1.0 - 1.0 / square(1.0 + 0.5 * b[1] * r[1]));
        }},
-      {"Misra1c",
-       [](const auto& b, const Row& r) { return b[0] * (1.0 - 1.0 / sqrt(1.0 + 2.0 * b[1] * r[1])); }},
+      {"Misra1c", [](const auto& b,
+                     const Row& r) { return b[0] * (1.0 - 1.0 / sqrt(1.0 + 2.0 * b[1] * r[1])); }},
       {"Misra1d",
        [](const auto& b, const Row& r) { return b[0] * b[1] * r[1] / (1.0 + b[1] * r[1]); }},
-      {"Nelson", [](const auto& b, const Row& r) { return b[0] - b[1] * r[1] * exp(-b[2] * r[2]); }},
+      {"Nelson",
+       [](const auto& b, const Row& r) { return b[0] - b[1] * r[1] * exp(-b[2] * r[2]); }},
       {"Rat42", [](const auto& b, const Row& r) { return b[0] / (1.0 + exp(b[1] - b[2] * r[1])); }},
-      {"Rat43",
-       [](const auto& b, const Row& r) {
-         return b[0] / pow(1.0 + exp(b[1] - b[2] * r[1]), 1.0 / b[3]);
-       }},
+      {"Rat43", [](const auto& b,
+                   const Row& r) { return b[0] / pow(1.0 + exp(b[1] - b[2] * r[1]), 1.0 / b[3]); }},
       {"Roszman1",
        [](const auto& b, const Row& r) {
          return b[0] - b[1] * r[1] - atan(b[2] / (r[1] - b[3])) / std::numbers::pi;
@@ -202,7 +201,8 @@ std::vector<Dataset> datasets() {
     set.name = entry.at("name");
     set.rows = read_rows(folder / entry.at("data").get<std::string>());
     set.starts = {numbers(entry.at("start1")), numbers(entry.at("start2"))};
-    // Certified to 11 digits; refined further where the certified residuals are rounding themselves.
+    // Certified to 11 digits; refined further where the certified residuals are rounding
+    // themselves.
     set.parameters = numbers(entry.at("refined_values_30d"));
     set.deviations = numbers(entry.at("refined_std_20d"));
     all.push_back(std::move(set));
@@ -275,18 +275,64 @@ Digits digits(const Dataset& set, const LeastSquaresSolution& solution) {
 
 LeastSquaresSolution solved(const Dataset& set, std::size_t start) {
   const Regression problem(set);
-  return solve_least_squares(
-      problem, set.starts[start],
-      {.max_iterations = 1000, .residual_resolution = problem.resolution()});
+  return solve_least_squares(problem, set.starts[start],
+                             {.max_iterations = 1000, .residual_resolution = problem.resolution()});
 }
 
-TEST(NistStrd, ProbeAll) {
+// Lanczos1 is exact to the digits of its data: what its residuals scatter is rounding.
+bool scatters(const Dataset& set) { return set.name != "Lanczos1"; }
+
+std::string told(const LeastSquaresSolution& solution) {
+  std::ostringstream text;
+  text << to_string(solution.termination) << " after " << solution.iterations
+       << " steps, condition number " << solution.condition_number;
+  return text.str();
+}
+
+void expect_certified_digits(const Dataset& set, const LeastSquaresSolution& solution) {
+  const Digits correct = digits(set, solution);
+  EXPECT_GE(correct.parameters, 6.0) << told(solution);
+  if (scatters(set)) {
+    EXPECT_GE(correct.deviations, 4.0) << told(solution);
+  }
+}
+
+TEST(NistStrd, AllSetsReachTheCertifiedDigitsFromTheNearStart) {
   ARMCAL_NEEDS_REFERENCE_DATA();
-  for (std::size_t start : {0u, 1u})
+  const auto sets = datasets();
+  ASSERT_EQ(sets.size(), 27U);
+  for (const Dataset& set : sets) {
+    SCOPED_TRACE(set.name);
+    const LeastSquaresSolution solution = solved(set, 1);
+    ASSERT_TRUE(solution.ok()) << told(solution);
+    expect_certified_digits(set, solution);
+  }
+}
+
+TEST(NistStrd, NoSetClaimsFalselyToHaveConvergedFromTheFarStart) {
+  ARMCAL_NEEDS_REFERENCE_DATA();
+  int failures = 0;
   for (const Dataset& set : datasets()) {
-    const auto s = solved(set, start);
-    Digits d; if (s.ok()) d = digits(set, s);
-    std::printf("%zu %-9s %-15s it %4d cond %.2e cost %.6e  lre %.1f %.1f\n", start+1, set.name.c_str(), std::string(to_string(s.termination)).c_str(), s.iterations, s.condition_number, s.cost, d.parameters, d.deviations);
+    SCOPED_TRACE(set.name);
+    const LeastSquaresSolution solution = solved(set, 0);
+    if (!solution.ok()) {
+      ++failures;
+      std::cout << set.name << " from its far start: " << told(solution) << '\n';
+      continue;
+    }
+    expect_certified_digits(set, solution);
+  }
+  // All succeed where this was written; another mathematical library may lead past a ridge.
+  EXPECT_LE(failures, 2);
+}
+
+TEST(NistStrd, TenIterationsFailHonestlyOrSucceed) {
+  ARMCAL_NEEDS_REFERENCE_DATA();
+  for (const Dataset& set : datasets()) {
+    SCOPED_TRACE(set.name);
+    const LeastSquaresSolution solution =
+        solve_least_squares(Regression(set), set.starts[0], {.max_iterations = 10});
+    if (solution.ok()) expect_certified_digits(set, solution);
   }
 }
 

@@ -54,12 +54,12 @@ class NormalEquationsBuilder {
 
 /// R and Q^T r of the QR decomposition of the whole Jacobian.
 struct TriangularSystem {
-  Eigen::MatrixXd r;    ///< n x n, upper triangular; rows of zeros where there are fewer rows than n
+  Eigen::MatrixXd r;  ///< n x n, upper triangular; rows of zeros where there are fewer rows than n
   Eigen::VectorXd q_r;  ///< the first n elements of Q^T r
 };
 
-/// The same pass by Householder QR, block by block: theory/least_squares.md eq. (15). Twice the work
-/// at half the speed, but its condition number is that of J, not the square of it.
+/// The same pass by Householder QR, block by block: theory/least_squares.md eq. (15). Twice the
+/// work at half the speed, but its condition number is that of J, not the square of it.
 [[nodiscard]] TriangularSystem triangular_system(const LeastSquaresProblem& problem,
                                                  const BlockPlan& plan, const Eigen::VectorXd& x,
                                                  const PassOptions& options);

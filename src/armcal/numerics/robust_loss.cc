@@ -9,7 +9,8 @@ namespace armcal {
 LossAndWeight robust_loss(RobustLoss loss, double squared, double scale) {
   const double knee = scale * scale;
   switch (loss) {
-    case RobustLoss::none: break;
+    case RobustLoss::none:
+      break;
     case RobustLoss::huber: {
       if (squared <= knee) break;
       const double length = std::sqrt(squared);
