@@ -279,17 +279,61 @@ LeastSquaresSolution solved(const Dataset& set, std::size_t start) {
                              {.max_iterations = 1000, .residual_resolution = problem.resolution()});
 }
 
-TEST(NistStrd, ProbeAll) {
+// Lanczos1 is exact to the digits of its data: what its residuals scatter is rounding.
+bool scatters(const Dataset& set) { return set.name != "Lanczos1"; }
+
+std::string told(const LeastSquaresSolution& solution) {
+  std::ostringstream text;
+  text << to_string(solution.termination) << " after " << solution.iterations
+       << " steps, condition number " << solution.condition_number;
+  return text.str();
+}
+
+void expect_certified_digits(const Dataset& set, const LeastSquaresSolution& solution) {
+  const Digits correct = digits(set, solution);
+  EXPECT_GE(correct.parameters, 6.0) << told(solution);
+  if (scatters(set)) {
+    EXPECT_GE(correct.deviations, 4.0) << told(solution);
+  }
+}
+
+TEST(NistStrd, AllSetsReachTheCertifiedDigitsFromTheNearStart) {
   ARMCAL_NEEDS_REFERENCE_DATA();
-  for (std::size_t start : {0u, 1u})
-    for (const Dataset& set : datasets()) {
-      const auto s = solved(set, start);
-      Digits d;
-      if (s.ok()) d = digits(set, s);
-      std::printf("%zu %-9s %-15s it %4d cond %.2e cost %.6e  lre %.1f %.1f\n", start + 1,
-                  set.name.c_str(), std::string(to_string(s.termination)).c_str(), s.iterations,
-                  s.condition_number, s.cost, d.parameters, d.deviations);
+  const auto sets = datasets();
+  ASSERT_EQ(sets.size(), 27U);
+  for (const Dataset& set : sets) {
+    SCOPED_TRACE(set.name);
+    const LeastSquaresSolution solution = solved(set, 1);
+    ASSERT_TRUE(solution.ok()) << told(solution);
+    expect_certified_digits(set, solution);
+  }
+}
+
+TEST(NistStrd, NoSetClaimsFalselyToHaveConvergedFromTheFarStart) {
+  ARMCAL_NEEDS_REFERENCE_DATA();
+  int failures = 0;
+  for (const Dataset& set : datasets()) {
+    SCOPED_TRACE(set.name);
+    const LeastSquaresSolution solution = solved(set, 0);
+    if (!solution.ok()) {
+      ++failures;
+      std::cout << set.name << " from its far start: " << told(solution) << '\n';
+      continue;
     }
+    expect_certified_digits(set, solution);
+  }
+  // All succeed where this was written; another mathematical library may lead past a ridge.
+  EXPECT_LE(failures, 2);
+}
+
+TEST(NistStrd, TenIterationsFailHonestlyOrSucceed) {
+  ARMCAL_NEEDS_REFERENCE_DATA();
+  for (const Dataset& set : datasets()) {
+    SCOPED_TRACE(set.name);
+    const LeastSquaresSolution solution =
+        solve_least_squares(Regression(set), set.starts[0], {.max_iterations = 10});
+    if (solution.ok()) expect_certified_digits(set, solution);
+  }
 }
 
 }  // namespace
