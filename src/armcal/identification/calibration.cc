@@ -153,11 +153,21 @@ class Calibrator {
     return priors;
   }
 
-  // What is determined is asked at the nominal arm and again at the adjusted one: symmetries of a
-  // nominal arm hide what the real one shows, and the other way round.
   bool estimate() {
     const Unknowns all = unknowns_;
     result_.unknowns = all.step_size();
+    // Harmonics are small: with the geometry far off they would fit its error, and keep it.
+    std::vector<int> geometry;
+    for (const int index : all.free()) {
+      if (table_[index].harmonic == 0) geometry.push_back(index);
+    }
+    if (geometry.size() < all.free().size() && !refine(all.with_free(geometry))) return false;
+    return refine(all);
+  }
+
+  // What is determined is asked at the nominal arm and again at the adjusted one: symmetries of a
+  // nominal arm hide what the real one shows, and the other way round.
+  bool refine(const Unknowns& all) {
     constexpr int kRounds = 4;
     for (int round = 0; round < kRounds; ++round) {
       const Eigen::VectorXd here = all.state_from(unknowns_, x_);
@@ -219,10 +229,12 @@ class Calibrator {
     finish_residuals();
   }
 
-  // Residuals that scatter more than stated are believed (Birge).
-  [[nodiscard]] double widening() const {
-    return result_.degrees_of_freedom > 0 ? std::max(1.0, result_.sigma0) : 1.0;
+  // What a reading scatters by, in units of what was stated.
+  [[nodiscard]] double scatter() const {
+    return result_.degrees_of_freedom > 0 ? result_.sigma0 : 1.0;
   }
+  // Residuals that scatter more than stated are believed (Birge), less is luck.
+  [[nodiscard]] double widening() const { return std::max(1.0, scatter()); }
 
   void finish_parameters() {
     const Eigen::Index arm_size = unknowns_.arm_size();
@@ -288,7 +300,7 @@ class Calibrator {
       if (check.registered)
         result_.groups[g].check_registered = statistics_of(registered, groups_[g]);
     }
-    const Coverage coverage = coverage_of(check, unknowns_, factor_of_all(), widening());
+    const Coverage coverage = coverage_of(check, unknowns_, factor_of_all(), scatter());
     result_.check_count = coverage.count;
     if (coverage.count > 0) {
       result_.check_coverage =

@@ -19,6 +19,19 @@ namespace {
 // others.
 constexpr double kRankTolerance = 1e-8;
 
+std::string too_weak(const Parameter& parameter, double u) {
+  // A parameter that is known no better than this moves readings by rounding only.
+  constexpr double kAllButUnseen_mm = 1e4;
+  constexpr double kAllButUnseen_rad = 6.0;
+  const bool is_length = parameter.unit == ParameterUnit::mm;
+  if (u > (is_length ? kAllButUnseen_mm : kAllButUnseen_rad)) {
+    return fmt::format("no reading depends on {}", parameter.name);
+  }
+  return fmt::format("the readings see {} too weakly: its standard uncertainty would be {:.2g} {}",
+                     parameter.name, is_length ? u : degrees_from_radians(u),
+                     is_length ? "mm" : "deg");
+}
+
 std::vector<int> order_of_wish(const Unknowns& unknowns) {
   std::vector<int> order;
   for (int i = unknowns.arm_size(); i < unknowns.step_size(); ++i) order.push_back(i);
@@ -89,14 +102,7 @@ ChoiceOfUnknowns choose_unknowns(const Eigen::MatrixXd& r, const Unknowns& unkno
     if (weakest.place >= 0) {
       const int column = kept[static_cast<std::size_t>(weakest.place)];
       const Parameter& parameter = table[unknowns.free()[static_cast<std::size_t>(column)]];
-      const bool is_length = parameter.unit == ParameterUnit::mm;
-      choice.unseen.push_back(
-          {parameter.name,
-           fmt::format(
-               "the readings see {} too weakly: its standard uncertainty would be {:.2g} {}",
-               parameter.name, is_length ? weakest.u : degrees_from_radians(weakest.u),
-               is_length ? "mm" : "deg"),
-           {}});
+      choice.unseen.push_back({parameter.name, too_weak(parameter, weakest.u), {}});
       std::erase(wanted, column);
       continue;
     }
