@@ -31,9 +31,7 @@ void attach_covariance(Registration& fit, std::span<const Eigen::Vector3d> sourc
   for (Eigen::Index i = 0; i < fit.count; ++i) {
     const Eigen::Vector3d turned =
         fit.target_from_source.rotation * source[static_cast<std::size_t>(i)];
-    // A small turn of the target frame carries the translation along.
-    const Eigen::Vector3d mapped = fit.scale * turned + fit.target_from_source.translation_mm;
-    jacobian.block<3, 3>(3 * i, 0) = -skew(mapped);
+    jacobian.block<3, 3>(3 * i, 0) = -skew(fit.scale * turned);
     jacobian.block<3, 3>(3 * i, 3).setIdentity();
     if (options.estimate_scale) jacobian.block<3, 1>(3 * i, 6) = turned;
   }
