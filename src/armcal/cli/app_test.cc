@@ -7,6 +7,7 @@
 
 #include "armcal/cli/command.h"
 #include "armcal/cli/commands.h"
+#include "armcal/core/invariant.h"
 #include "armcal/testing/temporary_folder.h"
 #include "armcal/testing/tool.h"
 
@@ -118,6 +119,27 @@ TEST(App, GivesDevicesThatFailCode5) {
   EXPECT_EQ(full.code, kDeviceFailure);
   EXPECT_THAT(full.err, HasSubstr("/dev/full: cannot write: No space left on device"));
   EXPECT_EQ(tool({"fk", arm, angles, "-o", "/no/such/folder/x.csv"}).code, kDeviceFailure);
+}
+
+// The page of exit codes once promised 5 for these.
+TEST(App, GivesMissingInputAndExistingOutputCode2) {
+  const TemporaryFolder folder;
+  const std::string arm = testing::example("arms/ur10.arm.toml");
+  const std::string angles = testing::example("angles/six-joints.csv");
+  EXPECT_EQ(tool({"fk", folder.path("none.arm.toml"), angles}).code, kWrongInput);
+  EXPECT_EQ(tool({"fk", arm, folder.path("")}).code, kWrongInput);  // a folder
+  const std::string precious = folder.write("tips.csv", "precious");
+  EXPECT_EQ(tool({"fk", arm, angles, "-o", precious}).code, kWrongInput);
+  EXPECT_EQ(testing::read_bytes(precious), "precious");
+}
+
+TEST(AppDeathTest, GivesABugCode70AndAsksToReportIt) {
+  EXPECT_EXIT(
+      {
+        end_with_exit_code_on_abort();
+        ARMCAL_INVARIANT(1 + 1 == 3);
+      },
+      ::testing::ExitedWithCode(kBug), "please report it with the command and the files");
 }
 
 TEST(App, StopsWhenInterrupted) {
