@@ -276,6 +276,23 @@ void add_sign_findings(const SymmetricPointAnalysis& analysis, std::vector<std::
   found.push_back(sentence + ".");
 }
 
+// One sentence each, or one for all where everything was asked for and most of it must be held.
+void add_held_findings(const std::vector<HeldParameter>& held, std::vector<std::string>& found) {
+  constexpr std::size_t kToldOneByOne = 6;
+  if (held.size() <= kToldOneByOne) {
+    for (const HeldParameter& one : held) {
+      found.push_back(fmt::format("{}: {} held.", one.reason, one.name));
+    }
+    return;
+  }
+  std::vector<std::string> names;
+  for (const HeldParameter& one : held) names.push_back(one.name);
+  found.push_back(
+      fmt::format("{} parameters are held at their nominal values, since these readings do not "
+                  "determine them as well (--json says why for each): {}.",
+                  names.size(), joined(names)));
+}
+
 }  // namespace
 
 Json json_result(const SymmetricPointAnalysis& analysis) {
@@ -356,9 +373,7 @@ std::vector<std::string> findings(const SymmetricPointAnalysis& analysis) {
   if (!analysis.adjustment.ok()) return found;
   add_claim_findings(analysis, found);
   add_check_findings(analysis, found);
-  for (const HeldParameter& held : analysis.adjustment.undetermined) {
-    found.push_back(fmt::format("{}: {} held.", held.reason, held.name));
-  }
+  add_held_findings(analysis.adjustment.undetermined, found);
   return found;
 }
 

@@ -17,12 +17,14 @@ constexpr double kComparedUncertainty_mm = 0.0005;
 std::vector<int> asked_unknowns(const SymmetricPointProcedure& procedure,
                                 const ParameterTable& table) {
   std::set<int> chosen;
-  if (procedure.unknowns.empty()) {
+  std::vector<std::string> patterns = procedure.unknowns;
+  if (patterns.empty()) {
     for (const SymmetricReading& reading : procedure.readings) {
-      if (!reading.solves.empty()) chosen.insert(table.find(reading.solves).value());
+      if (!reading.solves.empty()) patterns.push_back(reading.solves);
     }
   }
-  for (const std::string& pattern : procedure.unknowns) {
+  if (patterns.empty()) patterns.emplace_back("*");
+  for (const std::string& pattern : patterns) {
     for (const int index : table.matching(pattern)) chosen.insert(index);
   }
   for (const std::string& pattern : procedure.hold) {
@@ -63,6 +65,20 @@ bool reduce_all(const std::vector<SymmetricReading>& raw, SymmetricPointAnalysis
   return good;
 }
 
+// Of the chain where it is complete, else of the adjustment; none where neither exists.
+void add_leakage(SymmetricPointAnalysis& analysis) {
+  std::optional<Leakage> leakage;
+  if (analysis.chain && analysis.chain->complete) {
+    leakage = leakage_of_chain(analysis.chain->arm, analysis.readings);
+    analysis.leakage_of_chain = leakage.has_value();
+  }
+  if (!leakage && analysis.adjustment.ok()) {
+    leakage = leakage_of_adjustment(analysis.adjustment.arm, analysis.readings,
+                                    analysis.adjustment.unknowns);
+  }
+  if (leakage) analysis.leakage = std::move(*leakage);
+}
+
 }  // namespace
 
 bool SymmetricPointAnalysis::is_consistent() const {
@@ -99,13 +115,7 @@ std::optional<SymmetricPointAnalysis> analyse_symmetric_points(
       std::any_of(analysis.readings.begin(), analysis.readings.end(),
                   [](const SymmetricReading& reading) { return !reading.solves.empty(); });
   if (has_chain) analysis.chain = solve_chain(analysis.nominal, analysis.readings);
-  if (analysis.chain && analysis.chain->complete) {
-    analysis.leakage = leakage_of_chain(analysis.chain->arm, analysis.readings);
-    analysis.leakage_of_chain = true;
-  } else if (analysis.adjustment.ok()) {
-    analysis.leakage = leakage_of_adjustment(analysis.adjustment.arm, analysis.readings,
-                                             analysis.adjustment.unknowns);
-  }
+  add_leakage(analysis);
   const std::vector<Claim> claims = compared ? claims_of(*compared) : procedure.claims;
   if (analysis.adjustment.ok()) {
     analysis.claims =

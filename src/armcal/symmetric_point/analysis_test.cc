@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "armcal/testing/wang2016_arm.h"
 
 namespace armcal {
@@ -57,6 +59,41 @@ TEST(Analysis, PatternsChooseWhatIsEstimated) {
       analyse_symmetric_points(procedure, testing::nominal_romer(), {}, diagnostics);
   ASSERT_TRUE(analysis.has_value());
   EXPECT_EQ(analysis->adjustment.unknowns.size(), 5u);
+}
+
+// The documented default used to ask for nothing, and found that nothing is determined.
+TEST(Analysis, WithoutSolvesEverythingThatTheReadingsDetermineIsEstimated) {
+  SymmetricPointProcedure procedure = paper(104.700);
+  for (SymmetricReading& reading : procedure.readings) reading.solves.clear();
+  Diagnostics diagnostics;
+  const auto analysis =
+      analyse_symmetric_points(procedure, testing::nominal_romer(), {}, diagnostics);
+  ASSERT_TRUE(analysis.has_value());
+  ASSERT_TRUE(analysis->adjustment.ok());
+  EXPECT_LE(analysis->adjustment.unknowns.size(), 6u);
+  EXPECT_NEAR(analysis->adjustment.arm.links[3].a_mm, 78.312, 0.02);
+  EXPECT_NEAR(analysis->adjustment.arm.links[1].b_mm, 747.489, 0.02);
+  const auto& names = analysis->adjustment.unknown_names;
+  for (const char* name : {"a5", "a7", "b3", "b5", "b7"}) {
+    EXPECT_NE(std::find(names.begin(), names.end(), name), names.end()) << name;
+  }
+}
+
+TEST(Analysis, ReadingsThatTellNothingApartBreakTheChainAndNothingElse) {
+  SymmetricPointProcedure procedure;
+  for (const char* solves : {"b7", "a7"}) {
+    procedure.readings.push_back(testing::circle_radius(
+        std::string("r of ") + solves, 6, testing::degrees({0, 0, 0, 0, 0, 0}), 178.383));
+    procedure.readings.back().solves = solves;
+  }
+  Diagnostics diagnostics;
+  const auto analysis =
+      analyse_symmetric_points(procedure, testing::nominal_romer(), {}, diagnostics);
+  ASSERT_TRUE(analysis.has_value());
+  EXPECT_TRUE(analysis->adjustment.ok());
+  EXPECT_FALSE(analysis->chain->complete);
+  EXPECT_FALSE(analysis->leakage_of_chain);
+  EXPECT_EQ(analysis->leakage.recovered.size(), 1u);  // of the adjustment, which holds one side
 }
 
 }  // namespace
