@@ -411,6 +411,32 @@ std::string readings_text(const SymmetricPointAnalysis& analysis) {
   return table.text();
 }
 
+// How raw points became values: how many, how they repeat, and what the encoders say of the half
+// turn.
+std::string reductions_text(const SymmetricPointAnalysis& analysis) {
+  TextTable table({{"reading", Align::left},
+                   {"points"},
+                   {"spread mm"},
+                   {"half turn deg"},
+                   {"others moved deg"}});
+  for (const Reduction& reduction : analysis.reductions) {
+    if (reduction.end_a && reduction.end_b) {
+      table.add_row({reduction.reading,
+                     fmt::format("{} + {}", reduction.end_a->count, reduction.end_b->count),
+                     fixed(std::max(reduction.end_a->s_mm, reduction.end_b->s_mm), 4),
+                     amount(reduction.half_turn_rad, true, 3),
+                     amount(reduction.largest_slip_rad, true, 4)});
+    } else if (reduction.arc) {
+      table.add_row({reduction.reading, fmt::format("{}", reduction.arc->count),
+                     fixed(reduction.arc->rms_mm, 4), "", ""});
+    } else {
+      table.add_row(
+          {reduction.reading, fmt::format("{} settings", reduction.radii.size()), "", "", ""});
+    }
+  }
+  return table.text();
+}
+
 std::string parameters_text(const SymmetricPointAnalysis& analysis) {
   std::map<std::string, const ChainStep*> chain;
   if (analysis.chain) {
@@ -517,6 +543,7 @@ std::string text_result(const SymmetricPointAnalysis& analysis) {
                   analysis.nominal.name.empty() ? "an arm" : analysis.nominal.name,
                   analysis.nominal.joint_count());
   text += readings_text(analysis);
+  if (!analysis.reductions.empty()) text += "\nRaw points\n" + reductions_text(analysis);
   if (!analysis.adjustment.ok()) {
     text += fmt::format(
         "\nNo adjustment: {}{}\n", explain(analysis.adjustment.status),

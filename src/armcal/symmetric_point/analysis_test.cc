@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "armcal/symmetric_point/analysis.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -59,6 +60,28 @@ TEST(Analysis, PatternsChooseWhatIsEstimated) {
       analyse_symmetric_points(procedure, testing::nominal_romer(), {}, diagnostics);
   ASSERT_TRUE(analysis.has_value());
   EXPECT_EQ(analysis->adjustment.unknowns.size(), 5u);
+}
+
+TEST(Analysis, WarnsOfAReadingThatScattersFarMoreThanItsLike) {
+  // Two repeats at one end and one at the other: nothing within the reading can tell.
+  SymmetricPointProcedure procedure = paper(104.700);
+  procedure.readings.resize(5);
+  for (SymmetricReading& reading : procedure.readings) {
+    const double off = reading.name == "l_PP2" ? 0.4 : 0.002;
+    reading.reduced = false;
+    reading.u = 0.001;
+    reading.raw = RawSymmetricPoints{.file = reading.name + ".csv"};
+    for (const double x : {0.0, off, reading.value + off / 2}) {
+      reading.raw->points_mm.emplace_back(x, 0, 0);
+      reading.raw->end.push_back(reading.raw->end.size() < 2 ? 'A' : 'B');
+      reading.raw->lines.push_back(static_cast<int>(reading.raw->end.size()) + 1);
+    }
+  }
+  Diagnostics diagnostics;
+  ASSERT_TRUE(analyse_symmetric_points(procedure, testing::nominal_romer(), {}, diagnostics));
+  ASSERT_EQ(diagnostics.entries().size(), 1u) << diagnostics.to_text();
+  EXPECT_THAT(diagnostics.to_text(),
+              ::testing::HasSubstr("l_PP2.csv: warning: reading \"l_PP2\" scatters far more"));
 }
 
 // The documented default used to ask for nothing, and found that nothing is determined.
