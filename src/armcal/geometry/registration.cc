@@ -40,6 +40,16 @@ void attach_covariance(Registration& fit, std::span<const Eigen::Vector3d> sourc
   }
 }
 
+// Sums of squares with the best rotation and with the best reflection, each with its best scale.
+bool mirror_fits_better(const Scatter& from, const Scatter& onto, const Eigen::VectorXd& values) {
+  const auto left_over = [&](double sign) {
+    const double gain = values(0) + values(1) + sign * values(2);
+    return onto.points_mm.squaredNorm() - gain * gain / from.points_mm.squaredNorm();
+  };
+  // Points of one plane have no handedness: theirs is rounding.
+  return values(2) > 1e-9 * values(0) && left_over(1.0) < 0.01 * left_over(-1.0);
+}
+
 }  // namespace
 
 Registration register_points(std::span<const Eigen::Vector3d> source,
@@ -68,6 +78,7 @@ Registration register_points(std::span<const Eigen::Vector3d> source,
   const auto svd = singular_value_decomposition(onto.points_mm * from.points_mm.transpose());
   const double sign = (svd.u * svd.v.transpose()).determinant() < 0.0 ? -1.0 : 1.0;
   const Eigen::Vector3d signs(1.0, 1.0, sign);
+  fit.looks_mirrored = sign < 0.0 && mirror_fits_better(from, onto, svd.values);
   // Rotations about the third direction cost the sum of the two smaller values (the third with its
   // sign): where that vanishes the rotation is free.
   if (svd.values(1) + sign * svd.values(2) <= 1e-12 * svd.values(0)) {

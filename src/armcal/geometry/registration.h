@@ -15,6 +15,8 @@ struct Registration : FitSummary {
   RigidTransform target_from_source;
   double scale = 1.0;
   Eigen::Matrix3Xd residual_vectors_mm;  ///< target - transformed source, per point
+  /// A reflection, which is never returned, would leave less than a tenth of the residuals.
+  bool looks_mirrored = false;
 };
 
 struct RegistrationOptions : FitOptions {

@@ -40,6 +40,7 @@ TEST(Registration, RecoversAnyMovement) {
     EXPECT_NEAR((fit.target_from_source.rotation - truth.rotation).norm(), 0, 1e-13);
     EXPECT_NEAR((fit.target_from_source.translation_mm - truth.translation_mm).norm(), 0, 2e-11);
     EXPECT_LT(fit.rms_mm, 1e-11);
+    EXPECT_FALSE(fit.looks_mirrored);
     EXPECT_EQ(fit.scale, 1.0);
   }
 }
@@ -63,6 +64,7 @@ TEST(Registration, NeverReturnsAReflection) {
     Points mirrored = source;
     for (auto& p : mirrored) p.z() = -p.z();
     const Registration fit = register_points(source, mirrored);
+    EXPECT_TRUE(fit.looks_mirrored);
     if (!fit.ok()) continue;
     EXPECT_NEAR(fit.target_from_source.rotation.determinant(), 1.0, 1e-12);
     EXPECT_GT(fit.rms_mm, 1.0);
