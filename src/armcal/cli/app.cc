@@ -3,8 +3,10 @@
 #include "armcal/cli/app.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <csignal>
 #include <cstdlib>
 #include <new>
 #include <ostream>
@@ -95,7 +97,11 @@ class Failure {
   std::string command_;
 };
 
+extern "C" void end_as_bug(int /*signal*/) { _exit(kBug); }
+
 }  // namespace
+
+void end_with_exit_code_on_abort() { std::signal(SIGABRT, end_as_bug); }
 
 int run(std::span<const std::string> arguments, const Console& console) {
   CommonFlags flags;

@@ -21,4 +21,8 @@ struct Console {
 /// failure into words on `err` and an exit code. Never throws.
 [[nodiscard]] int run(std::span<const std::string> arguments, const Console& console);
 
+/// From here on a broken promise of ours (ARMCAL_INVARIANT, or anything else that aborts) ends this
+/// process with exit code 70, after its message. For `main`.
+void end_with_exit_code_on_abort();
+
 }  // namespace armcal::cli

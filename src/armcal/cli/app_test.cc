@@ -7,6 +7,7 @@
 
 #include "armcal/cli/command.h"
 #include "armcal/cli/commands.h"
+#include "armcal/core/invariant.h"
 #include "armcal/testing/temporary_folder.h"
 #include "armcal/testing/tool.h"
 
@@ -118,6 +119,73 @@ TEST(App, GivesDevicesThatFailCode5) {
   EXPECT_EQ(full.code, kDeviceFailure);
   EXPECT_THAT(full.err, HasSubstr("/dev/full: cannot write: No space left on device"));
   EXPECT_EQ(tool({"fk", arm, angles, "-o", "/no/such/folder/x.csv"}).code, kDeviceFailure);
+}
+
+// The page of exit codes once promised 5 for these.
+TEST(App, GivesMissingInputAndExistingOutputCode2) {
+  const TemporaryFolder folder;
+  const std::string arm = testing::example("arms/ur10.arm.toml");
+  const std::string angles = testing::example("angles/six-joints.csv");
+  EXPECT_EQ(tool({"fk", folder.path("none.arm.toml"), angles}).code, kWrongInput);
+  EXPECT_EQ(tool({"fk", arm, folder.path("")}).code, kWrongInput);  // a folder
+  const std::string precious = folder.write("tips.csv", "precious");
+  EXPECT_EQ(tool({"fk", arm, angles, "-o", precious}).code, kWrongInput);
+  EXPECT_EQ(testing::read_bytes(precious), "precious");
+}
+
+TEST(AppDeathTest, GivesABugCode70AndAsksToReportIt) {
+  EXPECT_EXIT(
+      {
+        end_with_exit_code_on_abort();
+        ARMCAL_INVARIANT(1 + 1 == 3);
+      },
+      ::testing::ExitedWithCode(kBug), "please report it with the command and the files");
+}
+
+// With --force an output took the place of the readings it was computed from.
+TEST(App, NeverOverwritesAnInput) {
+  const TemporaryFolder folder;
+  const std::string arm =
+      folder.write("a.arm.toml", testing::read_bytes(testing::example("arms/ur10.arm.toml")));
+  const std::string angles =
+      folder.write("q.csv", testing::read_bytes(testing::example("angles/six-joints.csv")));
+  const std::string before = testing::read_bytes(angles);
+  const auto result = tool({"fk", arm, angles, "--force", "-o", folder.path("./q.csv")});
+  EXPECT_EQ(result.code, kWrongInput);
+  EXPECT_THAT(result.err, HasSubstr("is an input of this very command"));
+  EXPECT_EQ(testing::read_bytes(angles), before);
+  EXPECT_EQ(tool({"convert", arm, "--to", "dh-classic", "--force", "-o", arm}).code, kWrongInput);
+}
+
+TEST(App, RefusesNumbersThatNoMeasurementHas) {
+  const std::string sphere = testing::example("points/sphere.csv");
+  const auto complaint = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> line = {"verify", "sphere", sphere, "--diameter", "25.4"};
+    line.insert(line.end(), more.begin(), more.end());
+    const auto result = tool(line);
+    EXPECT_EQ(result.code, kWrongInput) << result.out;
+    return result.err;
+  };
+  EXPECT_THAT(complaint({"--limit", "nan"}), HasSubstr("--limit nan: must be a finite number"));
+  EXPECT_THAT(complaint({"--limit", "-1"}), HasSubstr("--limit -1: must be larger than 0"));
+  EXPECT_THAT(complaint({"--form-limit", "inf"}), HasSubstr("--form-limit inf: must be a finite"));
+  EXPECT_THAT(complaint({"--tip-diameter", "-2"}), HasSubstr("must not be negative"));
+  // Larger than the fitted sphere: a negative diameter used to be printed.
+  EXPECT_THAT(complaint({"--tip-diameter", "30"}), HasSubstr("tip diameter 30 mm: leaves nothing"));
+  const std::string points = testing::example("points/frame-a.csv");
+  for (const char* u : {"inf", "0", "-0.1"}) {
+    EXPECT_EQ(tool({"fit", "plane", points, "--u", u}).code, kWrongInput) << u;
+    EXPECT_EQ(tool({"register", points, points, "--u", u}).code, kWrongInput) << u;
+  }
+}
+
+TEST(App, NamesTheOptionThatIsNone) {
+  const std::string points = testing::example("points/frame-a.csv");
+  EXPECT_THAT(tool({"fit", "plane", points, "-o", "x.txt"}).err, HasSubstr("unknown option -o"));
+  EXPECT_THAT(tool({"register", points, points, "--scale=2"}).err,
+              HasSubstr("--scale takes no value"));
+  EXPECT_THAT(tool({"fit", "line", points, "--plane-first"}).err,
+              HasSubstr("--plane-first is for circles"));
 }
 
 TEST(App, StopsWhenInterrupted) {

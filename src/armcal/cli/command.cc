@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <ostream>
 
 namespace armcal::cli {
@@ -53,6 +54,19 @@ void Context::emit(const std::vector<InputRecord>& inputs, const Diagnostics& di
   } else {
     out << text;
   }
+}
+
+void Context::save(const std::string& path, const std::string& text,
+                   const std::vector<InputRecord>& inputs) const {
+  for (const InputRecord& input : inputs) {
+    std::error_code ignored;
+    if (!std::filesystem::equivalent(path, input.path, ignored)) continue;
+    Diagnostics diagnostics;
+    diagnostics.error({path, 0, 0}, "is an input of this very command: it is not overwritten",
+                      "choose another name for the output");
+    throw InputError(diagnostics);
+  }
+  write_file(path, text, overwrite);
 }
 
 std::string help_text(const Command& command, const std::string& full_name) {

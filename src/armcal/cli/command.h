@@ -31,6 +31,9 @@ enum ExitCode : int {
 using Target = std::variant<bool*, std::string*, std::optional<std::string>*,
                             std::optional<double>*, std::vector<std::string>*>;
 
+/// What a number must be; it must be finite in any case.
+enum class NumberRange { any, positive, not_negative };
+
 /// One flag or positional argument. This one definition feeds parsing, help and the check of
 /// mistyped flags.
 struct Argument {
@@ -40,6 +43,7 @@ struct Argument {
   std::string value_name = {};  ///< "FILE"; for flags with a value
   bool required = false;        ///< positionals are required unless their target is optional
   std::vector<std::string> choices = {};  ///< the only values allowed; empty: any
+  NumberRange range = NumberRange::any;   ///< of a number
 
   [[nodiscard]] bool is_positional() const { return name.front() != '-'; }
   /// Spellings of a flag: {"-o", "--output"}.
@@ -60,6 +64,10 @@ struct Context {
   /// document.
   void emit(const std::vector<InputRecord>& inputs, const Diagnostics& diagnostics,
             const Json& json, const std::string& text) const;
+  /// Writes an output file. @throws InputError where it would overwrite one of the inputs, and as
+  /// write_file
+  void save(const std::string& path, const std::string& text,
+            const std::vector<InputRecord>& inputs) const;
 };
 
 /// A verb of the tool: what it is called, what it takes, what it does.

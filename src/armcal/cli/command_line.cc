@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 
 #include "armcal/core/spelling.h"
 
@@ -36,17 +37,62 @@ std::vector<std::string> flags_of(const Command& command, const Command& root) {
   return flags;
 }
 
+// "-o" and "--scale", but neither "-" nor "-0.5".
+bool looks_like_flag(const std::string& argument) {
+  if (argument.size() < 2 || argument.front() != '-') return false;
+  const char second = argument[1];
+  return second != '.' && !(second >= '0' && second <= '9');
+}
+
 // CLI11 takes an unknown flag for a value when a positional is still open; so flags are checked
 // before.
 std::string check_flags(std::span<const std::string> arguments,
                         const std::vector<std::string>& flags, const std::string& full_name) {
   for (const std::string& argument : arguments) {
     if (argument == "--") return {};
-    if (!argument.starts_with("--")) continue;
-    const std::string name = argument.substr(0, argument.find('='));
+    if (!looks_like_flag(argument)) continue;
+    const bool is_long = argument.starts_with("--");
+    const std::string name =
+        is_long ? argument.substr(0, argument.find('=')) : argument.substr(0, 2);
     if (std::find(flags.begin(), flags.end(), name) == flags.end()) {
-      return fmt::format("{}: unknown option {}\n  help: {}", full_name, name,
-                         did_you_mean(name, flags));
+      return fmt::format("{}: unknown option {}\n  help: {}{}", full_name, name,
+                         did_you_mean(name, flags),
+                         is_long ? "" : " (a file of that name is written ./" + argument + ")");
+    }
+  }
+  return {};
+}
+
+// CLI11 takes --scale=2 for a count of flags.
+std::string check_switches(std::span<const std::string> arguments,
+                           const std::vector<const Argument*>& known) {
+  for (const std::string& typed : arguments) {
+    if (typed == "--") return {};
+    const std::size_t equals = typed.find('=');
+    if (!typed.starts_with("--") || equals == std::string::npos) continue;
+    for (const Argument* argument : known) {
+      const bool is_switch = std::holds_alternative<bool*>(argument->target);
+      if (is_switch && argument->spellings().back() == typed.substr(0, equals)) {
+        return fmt::format("{} takes no value", typed.substr(0, equals));
+      }
+    }
+  }
+  return {};
+}
+
+// Numbers that parse and still are none that a measurement can have.
+std::string check_numbers(const std::vector<const Argument*>& known) {
+  for (const Argument* argument : known) {
+    const auto* target = std::get_if<std::optional<double>*>(&argument->target);
+    if (target == nullptr || !(*target)->has_value()) continue;
+    const double value = ***target;
+    const std::string typed = fmt::format("{} {}", argument->spellings().back(), value);
+    if (!std::isfinite(value)) return fmt::format("{}: must be a finite number", typed);
+    if (argument->range == NumberRange::positive && !(value > 0.0)) {
+      return fmt::format("{}: must be larger than 0", typed);
+    }
+    if (argument->range == NumberRange::not_negative && value < 0.0) {
+      return fmt::format("{}: must not be negative", typed);
     }
   }
   return {};
@@ -154,6 +200,11 @@ ParsedCommandLine parse_command_line(const Command& root, std::span<const std::s
   if (command != &root) {
     for (const Argument& argument : root.arguments) known.push_back(&argument);
   }
+  const auto wrong = [&](const std::string& what) {
+    parsed.error = fmt::format("{}: {}{}", parsed.full_name, what, usage_hint(parsed.full_name));
+    return parsed;
+  };
+  if (const std::string what = check_switches(rest, known); !what.empty()) return wrong(what);
   CLI::App app;
   app.set_help_flag();
   for (const Argument* argument : known) add_argument(app, *argument);
@@ -161,10 +212,9 @@ ParsedCommandLine parse_command_line(const Command& root, std::span<const std::s
     std::reverse(rest.begin(), rest.end());  // CLI11 takes a vector from its back
     app.parse(rest);
   } catch (const CLI::ParseError& error) {
-    parsed.error = fmt::format("{}: {}{}", parsed.full_name, reworded(known, error),
-                               usage_hint(parsed.full_name));
-    return parsed;
+    return wrong(reworded(known, error));
   }
+  if (const std::string what = check_numbers(known); !what.empty()) return wrong(what);
   if (!command->subcommands.empty() && !command->run) {
     parsed.error = fmt::format("{}: a command is missing\n  help: known: {}", parsed.full_name,
                                fmt::join(names_of(command->subcommands), ", "));

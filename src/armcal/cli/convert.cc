@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: the armcal authors
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -27,12 +29,18 @@ int run_convert(const Flags& flags, const Context& context) {
   if (flags.from) request.from = arm_format(*flags.from);
   request.to = arm_format(flags.to).value();
   request.as_csv = flags.csv || (flags.output && flags.output->ends_with(".csv"));
+  if (request.as_csv && request.to == ArmFormat::arm) {
+    throw std::invalid_argument(
+        fmt::format("{} is for D-H tables: an arm file is no spreadsheet\n  help: give --to "
+                    "dh-classic or --to dh-modified, or an output name *.arm.toml",
+                    flags.csv ? "--csv" : "an output name *.csv"));
+  }
   std::string text = convert(files, request, flags.table.options());
   Json json;
   json["format"] = flags.to;
   json["text"] = text;
   if (flags.output) {
-    write_file(*flags.output, text, context.overwrite);
+    context.save(*flags.output, text, files.records());
     text.clear();
   }
   context.emit(files.records(), files.diagnostics(), json, text);
@@ -55,7 +63,7 @@ Command convert_command() {
       {{"INPUT", "description of an arm; - for standard input", &flags->input},
        {"--to", "format to write", &flags->to, "FORMAT", false, formats},
        {"--from",
-        "convention of a spreadsheet",
+        "convention of a D-H table; a spreadsheet does not tell its own",
         &flags->from,
         "FORMAT",
         false,

@@ -57,6 +57,38 @@ TEST(ConvertCommand, SaysWhatATableCannotHold) {
   EXPECT_THAT(csv.err, HasSubstr("has a base or tool pose"));
 }
 
+// An option that the file or the format contradicts was ignored in silence.
+TEST(ConvertCommand, RefusesOptionsThatCannotHold) {
+  const TemporaryFolder folder;
+  const std::string arm = example("arms/panda.arm.toml");
+  const std::string dh = folder.path("panda.dh.toml");
+  ASSERT_EQ(tool({"convert", arm, "--to", "dh-modified", "-o", dh}).code, kDone);
+  EXPECT_EQ(tool({"convert", dh, "--from", "dh-modified"}).code, kDone);
+  const auto contradiction = tool({"convert", dh, "--from", "dh-classic"});
+  EXPECT_EQ(contradiction.code, kWrongInput);
+  EXPECT_THAT(contradiction.err,
+              HasSubstr("says convention = \"modified\", which --from contradicts"));
+  const auto none = tool({"convert", arm, "--from", "dh-classic", "--to", "dh-classic"});
+  EXPECT_EQ(none.code, kWrongInput);
+  EXPECT_THAT(none.err, HasSubstr("is an arm file, which has no D-H convention"));
+  for (const std::vector<std::string>& more :
+       {std::vector<std::string>{"--csv"}, {"-o", folder.path("p.csv")}}) {
+    std::vector<std::string> line = {"convert", arm};
+    line.insert(line.end(), more.begin(), more.end());
+    EXPECT_EQ(tool(line).code, kWrongInput);
+    EXPECT_THAT(tool(line).err, HasSubstr("an arm file is no spreadsheet"));
+  }
+}
+
+TEST(ConvertCommand, SaysThatATableHasNoHeader) {
+  const TemporaryFolder folder;
+  const auto result =
+      tool({"convert", folder.write("t.csv", "0,100,0,90\n0,0,200,0\n"), "--from", "dh-classic"});
+  EXPECT_EQ(result.code, kWrongInput);
+  EXPECT_THAT(result.err, HasSubstr("it has no header and 4 columns; name the right one with --map "
+                                    "theta_deg=NUMBER"));
+}
+
 TEST(ConvertCommand, RefusesNearlyParallelAxesWithCode4) {
   const TemporaryFolder folder;
   const auto result =

@@ -42,8 +42,9 @@ CircleFit circle_of(const PointReadings& readings, const Flags& flags, const Fit
 }
 
 int run_fit(const Flags& flags, const Context& context) {
-  if (flags.u_mm && !(*flags.u_mm > 0.0)) {
-    throw std::invalid_argument(fmt::format("--u {}: must be larger than 0", *flags.u_mm));
+  if (flags.plane_first && flags.element != "circle") {
+    throw std::invalid_argument(
+        fmt::format("--plane-first is for circles: a {} has no plane of its own", flags.element));
   }
   InputFiles files(context.monitor);
   const auto readings = files.points(flags.points, flags.table.options());
@@ -75,8 +76,13 @@ Command fit_command() {
        {"POINTS.csv", "table of points; - for standard input", &flags->points},
        {"--plane-first", "circle: fit the plane first, then the circle of the projected points",
         &flags->plane_first},
-       {"--u", "standard uncertainty of each coordinate, mm; else from the scatter", &flags->u_mm,
-        "MM"}},
+       {"--u",
+        "standard uncertainty of each coordinate, mm; else from the scatter",
+        &flags->u_mm,
+        "MM",
+        false,
+        {},
+        NumberRange::positive}},
       flags->table.for_points());
   command.examples = {
       "armcal fit circle examples/points/gander1994.csv",

@@ -30,7 +30,7 @@ int run_fk(const Flags& flags, const Context& context) {
   const Eigen::Matrix3Xd tips = compute_tips(files, flags.arm, flags.angles, flags.table.options());
   std::string text = context.json && !flags.output ? "" : tips_csv(tips);
   if (flags.output) {
-    write_file(*flags.output, text, context.overwrite);
+    context.save(*flags.output, text, files.records());
     text.clear();
   }
   context.emit(files.records(), files.diagnostics(), context.json ? json_of_tips(tips) : Json(),

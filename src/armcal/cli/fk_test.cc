@@ -133,6 +133,34 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"huge", std::string(std::size_t{5} << 20, '#'), "is larger than 4 MB"}),
     [](const auto& test) { return std::string(test.param.name); });
 
+TEST(FkCommand, TakesALogThatRepeatsAPosture) {
+  const TemporaryFolder folder;
+  const std::string row = "1,2,3,4,5,6\n";
+  const auto result =
+      tool({"fk", example("arms/ur10.arm.toml"), folder.write("q.csv", kHeader + row + row)});
+  EXPECT_EQ(result.code, kDone) << result.err;
+}
+
+// "column  has no unit" was said of a table without header.
+TEST(FkCommand, NamesColumnsThatHaveNoNameByNumber) {
+  const TemporaryFolder folder;
+  const auto result =
+      tool({"fk", example("arms/ur10.arm.toml"), folder.write("q.csv", "1,2,3,4,5,6\n")});
+  EXPECT_EQ(result.code, kWrongInput);
+  EXPECT_THAT(result.err, HasSubstr("error: column 1 has no unit"));
+}
+
+// Numbers such as 1e300 went through the model and came out as inf.
+TEST(FkCommand, RefusesArmsLongerThanAKilometre) {
+  const TemporaryFolder folder;
+  const std::string arm = folder.write(
+      "a.arm.toml", "schema = \"armcal.arm/1\"\n[[link]]\nb_mm = 1e300\n[tip]\na_mm = 100\n");
+  const auto result = tool({"fk", arm, folder.write("q.csv", "q1_deg,q2_deg\n1,2\n")});
+  EXPECT_EQ(result.code, kWrongInput);
+  EXPECT_THAT(result.err,
+              HasSubstr("a.arm.toml:3:1: error: b_mm is 1e+300 mm: longer than a kilometre"));
+}
+
 TEST(FkCommand, RefusesTwoHundredMegabytesOfNonsenseInSeconds) {
   const TemporaryFolder folder;
   const std::string path = folder.path("big.csv");

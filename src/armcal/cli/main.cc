@@ -37,6 +37,7 @@ void stop_on_signal(const std::stop_source& source) {
 int main(int argc, char** argv) {
   std::ios::sync_with_stdio(false);
   const std::vector<std::string> arguments(argv + 1, argv + argc);
+  armcal::cli::end_with_exit_code_on_abort();
   std::stop_source source;
   stop_on_signal(source);
   const int code = armcal::cli::run(

@@ -8,7 +8,7 @@
 #include "armcal/cli/commands.h"
 #include "armcal/cli/table_flags.h"
 #include "armcal/report/fit_report.h"
-#include "armcal/workflow/input_files.h"
+#include "armcal/workflow/registration_job.h"
 
 namespace armcal::cli {
 namespace {
@@ -21,25 +21,26 @@ struct Flags {
   TableFlags table;
 };
 
+constexpr const char* kMirrored = "the points look mirrored: is one axis reversed in one file?";
+
 int run_register(const Flags& flags, const Context& context) {
   InputFiles files(context.monitor);
-  const auto first = files.points(flags.first, flags.table.options());
-  const auto second = files.points(flags.second, flags.table.options());
-  files.require_good();
-  if (first->points_mm.size() != second->points_mm.size()) {
-    files.diagnostics().error({flags.second, 0, 0},
-                              fmt::format("has {} points, {} has {}", second->points_mm.size(),
-                                          flags.first, first->points_mm.size()),
-                              "points are paired by their order: row 1 with row 1, and so on");
-    files.require_good();
-  }
-  const Registration fit = register_points(first->points_mm, second->points_mm,
-                                           {{.u_point_mm = flags.u_mm}, flags.scale});
+  const PointPairs pairs =
+      read_point_pairs(files, flags.first, flags.second, flags.table.options());
+  const Registration fit =
+      register_points(pairs.first_mm, pairs.second_mm, {{.u_point_mm = flags.u_mm}, flags.scale});
   if (!fit.ok()) {
-    throw NumericalError(
-        fmt::format("{} and {}: no transform: {}", flags.first, flags.second, explain(fit.status)));
+    throw NumericalError(fmt::format("{} and {}: no transform: {}{}", flags.first, flags.second,
+                                     explain(fit.status),
+                                     fit.looks_mirrored ? fmt::format("; {}", kMirrored) : ""));
   }
-  context.emit(files.records(), files.diagnostics(), json_result(fit), text_result(fit));
+  if (fit.looks_mirrored) {
+    files.diagnostics().warning({flags.second, 0, 0}, kMirrored,
+                                "a reflection would fit better, but no arm makes one");
+  }
+  Json json = json_result(fit);
+  json["paired_by"] = pairs.by_name ? "point" : "order";
+  context.emit(files.records(), files.diagnostics(), json, text_result(fit));
   return kDone;
 }
 
@@ -52,14 +53,21 @@ Command register_command() {
   command.brief = "rigid transform between paired points";
   command.description =
       "Finds rotation and translation (with --scale also a scale) that carry the points of A.csv "
-      "to those of B.csv, row by\n"
-      "row, in the least-squares sense. Never a reflection.";
+      "to those of B.csv, in the\n"
+      "least-squares sense: paired by the column point where both have one, else row by row. Never "
+      "a "
+      "reflection.";
   command.arguments =
       joined({{"A.csv", "points x_mm,y_mm,z_mm", &flags->first},
               {"B.csv", "the same points in the other frame", &flags->second},
               {"--scale", "estimate a common scale too", &flags->scale},
-              {"--u", "standard uncertainty of each coordinate of B, mm; else from the scatter",
-               &flags->u_mm, "MM"}},
+              {"--u",
+               "standard uncertainty of each coordinate of B, mm; else from the scatter",
+               &flags->u_mm,
+               "MM",
+               false,
+               {},
+               NumberRange::positive}},
              flags->table.for_points());
   command.examples = {
       "armcal register examples/points/frame-a.csv examples/points/frame-b.csv",

@@ -28,6 +28,17 @@ TEST(RegisterCommand, FindsTheTransform) {
   EXPECT_NE(scaled.json()["scale"], 1.0);
 }
 
+TEST(RegisterCommand, AsksWhetherAnAxisIsReversed) {
+  const TemporaryFolder folder;
+  const std::string one =
+      folder.write("one.csv", "x_mm,y_mm,z_mm\n100,0,0\n0,120,0\n0,0,90\n30,40,20\n-50,10,60\n");
+  const std::string mirrored =
+      folder.write("two.csv", "x_mm,y_mm,z_mm\n100,0,0\n0,120,0\n0,0,-90\n30,40,-20\n-50,10,-60\n");
+  EXPECT_THAT(tool({"register", one, mirrored}).err,
+              HasSubstr("the points look mirrored: is one axis reversed"));
+  EXPECT_THAT(tool({"register", one, one}).err, ::testing::IsEmpty());
+}
+
 TEST(RegisterCommand, RefusesPairsThatAreNone) {
   const TemporaryFolder folder;
   const std::string three = folder.write("three.csv", "x_mm,y_mm,z_mm\n1,0,0\n0,1,0\n0,0,1\n");

@@ -29,7 +29,7 @@ int run_symmetric_point_command(const Flags& flags, const Context& context) {
   if (flags.output) {
     ArmModel arm = analysis.adjustment.arm;
     arm.note = fmt::format("Adjusted from {} by armcal symmetric-point.", flags.readings);
-    write_file(*flags.output, arm_text(arm), context.overwrite);
+    context.save(*flags.output, arm_text(arm), files.records());
   }
   context.emit(files.records(), files.diagnostics(), json_result(analysis), text_result(analysis));
   return analysis.is_consistent() ? kDone : kDoesNotConform;
@@ -55,7 +55,7 @@ Command symmetric_point_command() {
       {{"READINGS", "procedure file (*.symmetric.toml)", &flags->readings},
        {"--compare", "hold the lengths of this arm against the readings", &flags->compare, "ARM"},
        {"-o,--output", "write the adjusted arm file here", &flags->output, "FILE"}},
-      joined(flags->table.for_angles(), {}));
+      joined(flags->table.for_angles(), flags->table.for_suspects()));
   command.examples = {"armcal symmetric-point examples/wang2016/as-printed.symmetric.toml",
                       "armcal symmetric-point examples/wang2016/as-meant.symmetric.toml --json -o "
                       "calibrated.arm.toml",

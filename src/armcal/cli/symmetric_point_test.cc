@@ -64,6 +64,24 @@ TEST(SymmetricPointCommand, RefusesBadProcedures) {
   EXPECT_EQ(tool({"symmetric-point", folder.write("q.toml", "garbage")}).code, kWrongInput);
 }
 
+// This pair of readings used to end the tool with a failed assertion.
+TEST(SymmetricPointCommand, TellsWhichReadingsCannotBeAChain) {
+  const TemporaryFolder folder;
+  const std::string reading =
+      "[[reading]]\nkind = \"circle_radius\"\njoint = 6\nradius_mm = 178.383\n";
+  const auto result =
+      tool({"symmetric-point",
+            folder.write("p.toml", "schema = \"armcal.symmetric/1\"\narm = \"" +
+                                       example("wang2016/nominal.arm.toml") + "\"\nu_mm = 0.003\n" +
+                                       reading + "name = \"r1\"\nsolves = \"b7\"\n" + reading +
+                                       "name = \"r2\"\nsolves = \"a7\"\n"),
+            "--json"});
+  EXPECT_EQ(result.code, kDone) << result.err;
+  EXPECT_THAT(result.json()["chain_problem"].get<std::string>(),
+              HasSubstr("r1, r2 cannot tell a7 from the rest"));
+  EXPECT_EQ(result.json()["leakage_of"], "adjustment");
+}
+
 TEST(SymmetricPointCommand, ReadingsThatDetermineNothingAreCode4) {
   const TemporaryFolder folder;
   const auto result =

@@ -30,10 +30,16 @@ std::vector<Argument> TableFlags::for_angles() {
 }
 
 std::vector<Argument> TableFlags::for_points() {
+  return joined(
+      {{"--map", "our column names by those of the file (or column numbers): x_mm=X,y_mm=Y", &map,
+        "OURS=THEIRS"}},
+      for_suspects());
+}
+
+std::vector<Argument> TableFlags::for_suspects() {
   return {
-      {"--map", "our column names by those of the file (or column numbers): x_mm=X,y_mm=Y", &map,
-       "OURS=THEIRS"},
-      {"--keep-duplicates", "equal rows are points, not a copying mistake", &keep_duplicates},
+      {"--keep-duplicates", "equal rows were measured twice, not copied by mistake",
+       &keep_duplicates},
       {"--keep-zero-points", "the point 0 0 0 is a point, not a missing one", &keep_zero_points}};
 }
 

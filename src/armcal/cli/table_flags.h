@@ -19,6 +19,8 @@ struct TableFlags {
   bool keep_zero_points = false;
 
   [[nodiscard]] std::vector<Argument> for_angles();
+  /// What to do with rows that look like mistakes.
+  [[nodiscard]] std::vector<Argument> for_suspects();
   [[nodiscard]] std::vector<Argument> for_points();
   /// @throws std::invalid_argument for a --map that is not OURS=THEIRS
   [[nodiscard]] TableOptions options() const;

@@ -86,7 +86,7 @@ class NumericalError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Thrown when a file or device fails: it cannot be opened, written, or would be overwritten.
+/// Thrown when a file or device fails: it cannot be read or written.
 class FileError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

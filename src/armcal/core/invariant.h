@@ -6,7 +6,8 @@
 
 namespace armcal {
 
-/// Ends the program with the place and the broken promise on stderr. For our own bugs only.
+/// Ends the program (std::abort) with the place and the broken promise on stderr. For our own bugs
+/// only. The tool turns it into exit code 70 (cli/app.h).
 [[noreturn]] void invariant_broken(std::string_view expression, std::string_view file, int line);
 
 }  // namespace armcal

@@ -31,15 +31,23 @@ void attach_covariance(Registration& fit, std::span<const Eigen::Vector3d> sourc
   for (Eigen::Index i = 0; i < fit.count; ++i) {
     const Eigen::Vector3d turned =
         fit.target_from_source.rotation * source[static_cast<std::size_t>(i)];
-    // A small turn of the target frame carries the translation along.
-    const Eigen::Vector3d mapped = fit.scale * turned + fit.target_from_source.translation_mm;
-    jacobian.block<3, 3>(3 * i, 0) = -skew(mapped);
+    jacobian.block<3, 3>(3 * i, 0) = -skew(fit.scale * turned);
     jacobian.block<3, 3>(3 * i, 3).setIdentity();
     if (options.estimate_scale) jacobian.block<3, 1>(3 * i, 6) = turned;
   }
   if (const auto factor = inverse_factor(jacobian)) {
     fit.covariance = *variance * *factor * factor->transpose();
   }
+}
+
+// Sums of squares with the best rotation and with the best reflection, each with its best scale.
+bool mirror_fits_better(const Scatter& from, const Scatter& onto, const Eigen::VectorXd& values) {
+  const auto left_over = [&](double sign) {
+    const double gain = values(0) + values(1) + sign * values(2);
+    return onto.points_mm.squaredNorm() - gain * gain / from.points_mm.squaredNorm();
+  };
+  // Points of one plane have no handedness: theirs is rounding.
+  return values(2) > 1e-9 * values(0) && left_over(1.0) < 0.01 * left_over(-1.0);
 }
 
 }  // namespace
@@ -70,6 +78,7 @@ Registration register_points(std::span<const Eigen::Vector3d> source,
   const auto svd = singular_value_decomposition(onto.points_mm * from.points_mm.transpose());
   const double sign = (svd.u * svd.v.transpose()).determinant() < 0.0 ? -1.0 : 1.0;
   const Eigen::Vector3d signs(1.0, 1.0, sign);
+  fit.looks_mirrored = sign < 0.0 && mirror_fits_better(from, onto, svd.values);
   // Rotations about the third direction cost the sum of the two smaller values (the third with its
   // sign): where that vanishes the rotation is free.
   if (svd.values(1) + sign * svd.values(2) <= 1e-12 * svd.values(0)) {

@@ -8,6 +8,7 @@
 
 #include "armcal/core/units.h"
 #include "armcal/io/number_text.h"
+#include "armcal/io/plausibility.h"
 #include "armcal/io/toml_value.h"
 
 namespace armcal {
@@ -17,11 +18,11 @@ double degrees(TomlSection& section, std::string_view key) {
   return radians_from_degrees(section.number(key).value_or(0.0));
 }
 
-Link read_link(TomlSection section) {
+Link read_link(TomlSection section, Diagnostics& diagnostics) {
   Link link;
-  link.d_mm = section.number("d_mm").value_or(0.0);
-  link.b_mm = section.number("b_mm").value_or(0.0);
-  link.a_mm = section.number("a_mm").value_or(0.0);
+  link.d_mm = length_or_zero(section, "d_mm", diagnostics);
+  link.b_mm = length_or_zero(section, "b_mm", diagnostics);
+  link.a_mm = length_or_zero(section, "a_mm", diagnostics);
   link.alpha_rad = degrees(section, "alpha_deg");
   link.beta_rad = degrees(section, "beta_deg");
   section.finish();
@@ -72,9 +73,9 @@ Eigen::Vector3d radians_of(const Eigen::Vector3d& in_degrees) {
 
 Tip read_tip(TomlSection section, Diagnostics& diagnostics) {
   Tip tip;
-  tip.a_mm = section.number("a_mm").value_or(0.0);
-  tip.b_mm = section.number("b_mm").value_or(0.0);
-  tip.d_mm = section.number("d_mm").value_or(0.0);
+  tip.a_mm = length_or_zero(section, "a_mm", diagnostics);
+  tip.b_mm = length_or_zero(section, "b_mm", diagnostics);
+  tip.d_mm = length_or_zero(section, "d_mm", diagnostics);
   if (const auto angles = read_triple(section, "orientation_deg", diagnostics)) {
     tip.roll_pitch_yaw_rad = radians_of(*angles);
   }
@@ -86,12 +87,26 @@ RigidTransform read_base(TomlSection section, Diagnostics& diagnostics) {
   RigidTransform base;
   if (const auto position = read_triple(section, "position_mm", diagnostics)) {
     base.translation_mm = *position;
+    for (const double length : *position) {
+      checked_length(length, "position_mm", section.where("position_mm"), diagnostics);
+    }
   }
   if (const auto angles = read_triple(section, "orientation_deg", diagnostics)) {
     base.rotation = rotation_from_roll_pitch_yaw(radians_of(*angles));
   }
   section.finish();
   return base;
+}
+
+void read_links(TomlSection& root, ArmModel& arm, Diagnostics& diagnostics) {
+  auto sections = root.sections("link");
+  std::vector<double> twists_deg;
+  for (TomlSection& section : sections) {
+    arm.links.push_back(read_link(section, diagnostics));
+    twists_deg.push_back(degrees_from_radians(arm.links.back().alpha_rad));
+  }
+  if (sections.empty()) return;
+  warn_of_radians(twists_deg, "the values of alpha_deg", sections.front().where(), diagnostics);
 }
 
 void read_joints(TomlSection& root, ArmModel& arm, Diagnostics& diagnostics) {
@@ -158,7 +173,7 @@ std::optional<ArmModel> read_arm(const TextFile& file, Diagnostics& diagnostics)
   ArmModel arm;
   arm.name = root.text("name").value_or("");
   arm.note = root.text("note").value_or("");
-  for (TomlSection& section : root.sections("link")) arm.links.push_back(read_link(section));
+  read_links(root, arm, diagnostics);
   read_joints(root, arm, diagnostics);
   if (auto section = root.section("tip")) arm.tip = read_tip(*section, diagnostics);
   if (auto section = root.section("base")) {

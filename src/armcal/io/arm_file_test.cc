@@ -118,6 +118,17 @@ TEST(ArmFile, NamesEveryProblemWithItsPlace) {
   EXPECT_THAT(text, HasSubstr("x.arm.toml:8:1: error: position_mm has 2 numbers: must have 3"));
 }
 
+TEST(ArmFile, WarnsOfTwistsThatLookLikeRadians) {
+  Diagnostics diagnostics;
+  const std::string text =
+      "schema = 'armcal.arm/1'\n[[link]]\nalpha_deg = 1.5708\n[[link]]\nalpha_deg = -1.5708\n";
+  EXPECT_TRUE(read_arm({"a.toml", text, "UTF-8", ""}, diagnostics).has_value());
+  EXPECT_EQ(
+      diagnostics.to_text(),
+      "a.toml:2:1: warning: the values of alpha_deg look like radians, and are read as degrees\n"
+      "  help: write them in degrees: 90 instead of 1.5708\n");
+}
+
 TEST(ArmFile, RefusesZeroAndElevenJoints) {
   EXPECT_THAT(complaint(kHead),
               HasSubstr("x.arm.toml: error: describes 1 joint: an arm here has 2 to 10"));

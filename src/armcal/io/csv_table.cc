@@ -8,7 +8,7 @@
 #include <array>
 #include <cstring>
 #include <limits>
-#include <set>
+#include <map>
 #include <utility>
 
 #include "armcal/core/spelling.h"
@@ -94,8 +94,9 @@ bool is_blank_separated_with_commas(std::string_view line) {
 // Takes a file apart in one pass; the table is its product.
 class CsvParser {
  public:
-  CsvParser(TextFile file, const ColumnMap& map, Diagnostics& diagnostics, const Monitor& monitor)
-      : map_(map), diagnostics_(diagnostics), monitor_(monitor) {
+  CsvParser(TextFile file, const ColumnMap& map, Diagnostics& diagnostics, const Monitor& monitor,
+            UnmatchedMap unmatched)
+      : map_(map), diagnostics_(diagnostics), monitor_(monitor), unmatched_(unmatched) {
     table_.file_ = std::move(file);
     text_ = table_.file_.text;
   }
@@ -319,44 +320,77 @@ class CsvParser {
     drop_first_row();
   }
 
+  // The column of this header, or of this number.
+  [[nodiscard]] std::optional<std::size_t> column_called(const std::string& theirs) const {
+    std::optional<std::size_t> index;
+    for (std::size_t c = 0; c < width_; ++c) {
+      const std::string& header = table_.columns_[c].header;
+      if (!header.empty() && lower(trimmed(header)) == lower(trimmed(theirs))) index = c;
+    }
+    const auto number = parse_number(theirs);
+    if (!index && number && *number >= 1 && *number <= static_cast<double>(width_)) {
+      index = static_cast<std::size_t>(*number) - 1;
+    }
+    return index;
+  }
+
   void apply_map() {
+    std::map<std::size_t, std::string> mapped_already;
     for (const auto& [ours, theirs] : map_) {
-      std::optional<std::size_t> index;
-      for (std::size_t c = 0; c < width_; ++c) {
-        if (!table_.columns_[c].header.empty() &&
-            lower(trimmed(table_.columns_[c].header)) == lower(trimmed(theirs))) {
-          index = c;
-        }
-      }
-      const auto number = parse_number(theirs);
-      if (!index && number && *number >= 1 && *number <= static_cast<double>(width_)) {
-        index = static_cast<std::size_t>(*number) - 1;
-      }
+      const auto index = column_called(theirs);
       if (!index) {
-        std::vector<std::string> headers;
-        for (const CsvColumn& column : table_.columns_) headers.push_back(column.header);
-        diagnostics_.error(
-            {path(), 0, 0}, fmt::format("--map {}={}: no column \"{}\"", ours, theirs, theirs),
-            table_.has_header_
-                ? did_you_mean(theirs, headers)
-                : fmt::format("the file has no header; give a column number from 1 to {}", width_));
+        complain_of_unmatched(ours, theirs);
         continue;
       }
-      CsvColumn mapped = column_from_header(ours);
-      mapped.header = table_.columns_[*index].header;
-      if (mapped.unit.empty()) mapped.unit = table_.columns_[*index].unit;
-      table_.columns_[*index] = mapped;
+      const auto [first, is_new] = mapped_already.emplace(*index, ours);
+      if (!is_new) {
+        diagnostics_.error({path(), 0, 0},
+                           fmt::format("--map takes {} twice: as {} and as {}",
+                                       table_.column_in_words(*index), first->second, ours));
+        continue;
+      }
+      rename(table_.columns_[*index], ours);
     }
   }
 
+  void complain_of_unmatched(const std::string& ours, const std::string& theirs) {
+    if (unmatched_ == UnmatchedMap::skip) {
+      table_.unmatched_.push_back(ours);
+      return;
+    }
+    std::vector<std::string> headers;
+    for (const CsvColumn& column : table_.columns_) headers.push_back(column.header);
+    diagnostics_.error(
+        {path(), 0, 0}, fmt::format("--map {}={}: no column \"{}\"", ours, theirs, theirs),
+        table_.has_header_
+            ? did_you_mean(theirs, headers)
+            : fmt::format("the file has no header; give a column number from 1 to {}", width_));
+  }
+
+  void rename(CsvColumn& column, const std::string& ours) {
+    CsvColumn mapped = column_from_header(ours);
+    mapped.header = column.header;
+    if (mapped.unit.empty()) mapped.unit = column.unit;
+    if (!column.unit.empty() && column.unit != mapped.unit) {
+      diagnostics_.warning({path(), 0, 0},
+                           fmt::format("column {} is read in {} as --map asks, against its name",
+                                       column.header, mapped.unit));
+    }
+    column = mapped;
+  }
+
   void check_duplicate_names() {
-    std::set<std::string> seen;
-    for (const CsvColumn& column : table_.columns_) {
-      if (column.name.empty()) continue;
-      if (!seen.insert(column.name).second) {
-        diagnostics_.error({path(), static_cast<int>(header_line_), 0},
-                           fmt::format("two columns are named \"{}\"", column.name));
-      }
+    std::map<std::string, std::size_t> seen;
+    for (std::size_t c = 0; c < width_; ++c) {
+      const std::string& name = table_.columns_[c].name;
+      if (name.empty()) continue;
+      const auto [first, is_new] = seen.emplace(name, c);
+      if (is_new) continue;
+      diagnostics_.error({path(), static_cast<int>(header_line_), 0},
+                         fmt::format("{} (number {}) and {} (number {}) are both \"{}\"",
+                                     table_.column_in_words(first->second), first->second + 1,
+                                     table_.column_in_words(c), c + 1, name),
+                         "rename or delete one of them");
     }
   }
 
@@ -381,13 +415,15 @@ class CsvParser {
   const ColumnMap& map_;
   Diagnostics& diagnostics_;
   const Monitor& monitor_;
+  UnmatchedMap unmatched_;
   std::size_t width_ = 0;
   std::uint32_t header_line_ = 0;
 };
 
 std::optional<CsvTable> CsvTable::parse(TextFile file, const ColumnMap& map,
-                                        Diagnostics& diagnostics, const Monitor& monitor) {
-  return CsvParser(std::move(file), map, diagnostics, monitor).parse();
+                                        Diagnostics& diagnostics, const Monitor& monitor,
+                                        UnmatchedMap unmatched) {
+  return CsvParser(std::move(file), map, diagnostics, monitor, unmatched).parse();
 }
 
 std::optional<std::size_t> CsvTable::find(std::string_view name) const {
@@ -401,6 +437,16 @@ std::string CsvTable::header_list() const {
   std::string list;
   for (const CsvColumn& column : columns_) list += (list.empty() ? "" : ", ") + column.header;
   return list;
+}
+
+std::string CsvTable::columns_in_words() const {
+  return has_header_ ? fmt::format("its columns: {}", header_list())
+                     : fmt::format("it has no header and {} columns", columns_.size());
+}
+
+std::string CsvTable::column_in_words(std::size_t column) const {
+  const std::string& header = columns_[column].header;
+  return header.empty() ? fmt::format("column {}", column + 1) : fmt::format("column {}", header);
 }
 
 std::string_view CsvTable::field(std::size_t row, std::size_t column) const {

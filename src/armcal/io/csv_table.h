@@ -19,6 +19,12 @@ namespace armcal {
 /// without a header is mapped by column numbers: {"q1_deg", "1"}.
 using ColumnMap = std::map<std::string, std::string>;
 
+/// What to do with an entry of the map whose column a file does not have.
+enum class UnmatchedMap {
+  error,
+  skip,  ///< and list it: the map is for several files, of which one has the column
+};
+
 /// One column: its name without unit, in lower case, and the unit from the name, from brackets or
 /// from a row of units. `q1_deg`, `Q1 [deg]`, and `q1` above a row with `deg` are all name "q1",
 /// unit "deg".
@@ -37,11 +43,14 @@ class CsvTable {
   /// to `diagnostics`; with errors nothing is returned.
   [[nodiscard]] static std::optional<CsvTable> parse(TextFile file, const ColumnMap& map,
                                                      Diagnostics& diagnostics,
-                                                     const Monitor& monitor = {});
+                                                     const Monitor& monitor = {},
+                                                     UnmatchedMap unmatched = UnmatchedMap::error);
 
   [[nodiscard]] const TextFile& file() const { return file_; }
   [[nodiscard]] const std::vector<CsvColumn>& columns() const { return columns_; }
   [[nodiscard]] bool has_header() const { return has_header_; }
+  /// Entries of the map that were skipped, by our names.
+  [[nodiscard]] const std::vector<std::string>& unmatched() const { return unmatched_; }
   [[nodiscard]] char separator() const { return separator_; }
   [[nodiscard]] bool decimal_comma() const { return decimal_comma_; }
   [[nodiscard]] std::size_t row_count() const { return lines_.size(); }
@@ -50,6 +59,11 @@ class CsvTable {
   [[nodiscard]] std::optional<std::size_t> find(std::string_view name) const;
   /// Headers of the file in one line, for messages.
   [[nodiscard]] std::string header_list() const;
+
+  /// "its columns: A1, A2" or "it has no header and 6 columns", for messages.
+  [[nodiscard]] std::string columns_in_words() const;
+  /// "column q1_deg", or "column 1" where there is no header.
+  [[nodiscard]] std::string column_in_words(std::size_t column) const;
 
   [[nodiscard]] std::string_view field(std::size_t row, std::size_t column) const;
   [[nodiscard]] int line(std::size_t row) const { return static_cast<int>(lines_[row]); }
@@ -73,6 +87,7 @@ class CsvTable {
   std::vector<CsvColumn> columns_;
   std::vector<Field> fields_;         // row by row
   std::vector<std::uint32_t> lines_;  // of each row
+  std::vector<std::string> unmatched_;
   char separator_ = ',';
   bool decimal_comma_ = false;
   bool has_header_ = false;

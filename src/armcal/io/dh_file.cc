@@ -5,19 +5,22 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
+#include <numbers>
 
 #include "armcal/core/units.h"
 #include "armcal/io/number_text.h"
+#include "armcal/io/plausibility.h"
 #include "armcal/io/toml_value.h"
 
 namespace armcal {
 namespace {
 
-DhRow read_row(TomlSection section) {
+DhRow read_row(TomlSection section, Diagnostics& diagnostics) {
   DhRow row;
   row.theta_rad = radians_from_degrees(section.number("theta_deg").value_or(0.0));
-  row.d_mm = section.number("d_mm").value_or(0.0);
-  row.a_mm = section.number("a_mm").value_or(0.0);
+  row.d_mm = length_or_zero(section, "d_mm", diagnostics);
+  row.a_mm = length_or_zero(section, "a_mm", diagnostics);
   row.alpha_rad = radians_from_degrees(section.number("alpha_deg").value_or(0.0));
   section.finish();
   return row;
@@ -35,7 +38,12 @@ RigidTransform read_pose(TomlSection section, Diagnostics& diagnostics) {
       return pose;
     }
   }
-  if (position) pose.translation_mm = *position;
+  if (position) {
+    pose.translation_mm = *position;
+    for (const double length : *position) {
+      checked_length(length, "position_mm", section.where("position_mm"), diagnostics);
+    }
+  }
   if (angles) {
     pose.rotation = rotation_from_roll_pitch_yaw(
         angles->unaryExpr([](double angle) { return radians_from_degrees(angle); }));
@@ -51,6 +59,47 @@ std::string pose_text(const char* name, const RigidTransform& pose) {
   return fmt::format("\n[{}]\nposition_mm = [{}, {}, {}]\norientation_deg = [{}, {}, {}]\n", name,
                      shortest_text(p.x()), shortest_text(p.y()), shortest_text(p.z()),
                      degrees_text(angles.x()), degrees_text(angles.y()), degrees_text(angles.z()));
+}
+
+void warn_of_radian_twists(const DhTable& table, const SourcePosition& where,
+                           Diagnostics& diagnostics) {
+  std::vector<double> twists_deg;
+  for (const DhRow& row : table.rows) twists_deg.push_back(degrees_from_radians(row.alpha_rad));
+  warn_of_radians(twists_deg, "the values of alpha_deg", where, diagnostics);
+}
+
+// One column of a spreadsheet: what it is called here and where it goes.
+struct Column {
+  const char* name;
+  double DhRow::*member;
+  bool is_angle;
+};
+constexpr std::array<Column, 4> kColumns = {{{"theta", &DhRow::theta_rad, true},
+                                             {"d", &DhRow::d_mm, false},
+                                             {"a", &DhRow::a_mm, false},
+                                             {"alpha", &DhRow::alpha_rad, true}}};
+
+// Factor from the unit of a column to mm or rad; nothing where it has none or one of another kind.
+std::optional<double> factor_of(const CsvColumn& column, bool is_angle) {
+  if (is_angle && column.unit == "rad") return 1.0;
+  if (is_angle && (column.unit == "deg" || column.unit == "\xC2\xB0")) {
+    return radians_from_degrees(1.0);
+  }
+  if (!is_angle && column.unit == "mm") return 1.0;
+  if (!is_angle && column.unit == "m") return 1000.0;
+  return std::nullopt;
+}
+
+// Angles of more than a turn in a column of radians are degrees.
+void check_radians(const CsvTable& csv, std::size_t column, const std::vector<double>& values,
+                   Diagnostics& diagnostics) {
+  for (std::size_t row = 0; row < values.size(); ++row) {
+    if (!(std::abs(values[row]) > 2.0 * std::numbers::pi + 1e-9)) continue;
+    diagnostics.error(csv.where(row, column),
+                      fmt::format("{} {} looks like degrees but the column is in radians",
+                                  csv.columns()[column].name, csv.field(row, column)),
+                      "name the column .._deg if it is in degrees");
+  }
 }
 
 void check_row_count(std::size_t count, const std::string& path, Diagnostics& diagnostics) {
@@ -79,7 +128,10 @@ std::optional<DhTable> read_dh(const TextFile& file, Diagnostics& diagnostics) {
     }
     table.convention = *convention == "modified" ? DhConvention::modified : DhConvention::classic;
   }
-  for (TomlSection& section : root.sections("row")) table.rows.push_back(read_row(section));
+  for (TomlSection& section : root.sections("row")) {
+    table.rows.push_back(read_row(section, diagnostics));
+  }
+  warn_of_radian_twists(table, {file.path, 0, 0}, diagnostics);
   if (auto section = root.section("base")) table.base_from_first = read_pose(*section, diagnostics);
   if (auto section = root.section("tool")) table.last_from_tool = read_pose(*section, diagnostics);
   root.finish();
@@ -95,42 +147,35 @@ std::optional<DhTable> dh_from_csv(const CsvTable& csv, DhConvention convention,
   table.convention = convention;
   table.name = csv.file().path;
   table.rows.resize(csv.row_count());
-  struct Column {
-    const char* name;
-    double DhRow::*member;
-    bool is_angle;
-  };
-  constexpr std::array<Column, 4> kColumns = {{{"theta", &DhRow::theta_rad, true},
-                                               {"d", &DhRow::d_mm, false},
-                                               {"a", &DhRow::a_mm, false},
-                                               {"alpha", &DhRow::alpha_rad, true}}};
   for (const Column& wanted : kColumns) {
     const char* unit = wanted.is_angle ? "deg" : "mm";
-    const auto column = csv.find(wanted.name);
-    if (!column) {
-      diagnostics.error({csv.file().path, 0, 0},
-                        fmt::format("has no column {}_{}", wanted.name, unit),
-                        fmt::format("its columns: {}; name the right one with --map {}_{}=HEADER",
-                                    csv.header_list(), wanted.name, unit));
+    const auto place = csv.find(wanted.name);
+    if (!place) {
+      diagnostics.error(
+          {csv.file().path, 0, 0}, fmt::format("has no column {}_{}", wanted.name, unit),
+          fmt::format("{}; name the right one with --map {}_{}={}", csv.columns_in_words(),
+                      wanted.name, unit, csv.has_header() ? "HEADER" : "NUMBER"));
       continue;
     }
-    const std::string& given = csv.columns()[*column].unit;
-    double factor = 0.0;
-    if (given == "mm" || given == "rad") factor = 1.0;
-    if (given == "m") factor = 1000.0;
-    const bool in_degrees = given == "deg" || given == "\xC2\xB0";
-    if (in_degrees) factor = 1.0;
-    const bool right_kind = wanted.is_angle == (in_degrees || given == "rad");
-    if (factor == 0.0 || !right_kind) {
-      diagnostics.error({csv.file().path, 0, 0},
-                        fmt::format("column {} needs a unit: {}_{}", csv.columns()[*column].header,
-                                    wanted.name, unit));
+    const CsvColumn& column = csv.columns()[*place];
+    const auto factor = factor_of(column, wanted.is_angle);
+    if (!factor) {
+      diagnostics.error(
+          {csv.file().path, 0, 0},
+          fmt::format("{} needs a unit: {}_{}", csv.column_in_words(*place), wanted.name, unit));
       continue;
     }
-    const auto values = csv.numbers(*column, wanted.name, diagnostics);
+    const auto values = csv.numbers(*place, wanted.name, diagnostics);
+    if (column.unit == "rad") check_radians(csv, *place, values, diagnostics);
     for (std::size_t row = 0; row < values.size(); ++row) {
-      table.rows[row].*wanted.member =
-          in_degrees ? radians_from_degrees(values[row]) : factor * values[row];
+      double& value = table.rows[row].*wanted.member;
+      value = *factor * values[row];
+      if (!wanted.is_angle && std::isfinite(value)) {
+        checked_length(value, wanted.name, csv.where(row, *place), diagnostics);
+      }
+    }
+    if (wanted.member == &DhRow::alpha_rad && column.unit != "rad") {
+      warn_of_radian_twists(table, {csv.file().path, 0, 0}, diagnostics);
     }
   }
   check_row_count(table.rows.size(), csv.file().path, diagnostics);

@@ -61,6 +61,25 @@ TEST(DhFile, ReadsTheSpreadsheetForm) {
             "theta_deg,d_mm,a_mm,alpha_deg\n0.0,127.3,0.0,90.0\n10.0,0.0,-612.0,0.0\n");
 }
 
+// 90 rad is 14 turns and a bit: the poses were nonsense, and nothing said so.
+TEST(DhFile, TellsDegreesInRadianColumnsAndRadiansInDegreeColumns) {
+  Diagnostics diagnostics;
+  const auto table = [&](const std::string& text) {
+    const auto csv = CsvTable::parse({"t.csv", text, "UTF-8", ""}, {}, diagnostics);
+    return dh_from_csv(csv.value(), DhConvention::classic, diagnostics).has_value();
+  };
+  EXPECT_FALSE(table("theta_rad,d_mm,a_mm,alpha_rad\n0,1,0,90\n0,0,2,0\n"));
+  EXPECT_THAT(
+      diagnostics.to_text(),
+      HasSubstr("t.csv:2:7: error: alpha 90 looks like degrees but the column is in radians"));
+  EXPECT_TRUE(table("theta_deg,d_mm,a_mm,alpha_deg\n0,1,0,1.5708\n0,0,2,0\n"));
+  EXPECT_THAT(diagnostics.to_text(),
+              HasSubstr("warning: the values of alpha_deg look like radians"));
+  EXPECT_FALSE(table("theta_deg,d_mm,a_mm,alpha_deg\n0,1e9,0,90\n0,0,2,0\n"));
+  EXPECT_THAT(diagnostics.to_text(),
+              HasSubstr("t.csv:2:3: error: d is 1000000000 mm: longer than"));
+}
+
 TEST(DhFile, SaysWhatIsWrong) {
   const auto complaint = [](const std::string& text) {
     Diagnostics diagnostics;

@@ -10,6 +10,7 @@
 #include <numbers>
 #include <numeric>
 #include <tuple>
+#include <unordered_map>
 
 #include "armcal/core/spelling.h"
 #include "armcal/core/units.h"
@@ -34,21 +35,17 @@ constexpr std::array<Unit, 7> kLengths = {{{"mm", 1.0},
                                            {"in", 25.4},
                                            {"inch", 25.4}}};
 
-std::string columns_of(const CsvTable& table) {
-  return table.has_header()
-             ? fmt::format("its columns: {}", table.header_list())
-             : fmt::format("it has no header and {} columns", table.columns().size());
-}
-
 // Says what is missing, what is there and how to map it.
 void complain_of_missing(const CsvTable& table, const std::vector<std::string>& names,
                          Diagnostics& diagnostics) {
   if (names.empty()) return;
   const bool one = names.size() == 1;
-  diagnostics.error({table.file().path, 0, 0},
-                    fmt::format("has no column{} {}", one ? "" : "s", fmt::join(names, ", ")),
-                    fmt::format("{}; name the right {} with --map {}=HEADER", columns_of(table),
-                                one ? "one" : "ones", fmt::join(names, "=HEADER,")));
+  const char* mapped = table.has_header() ? "HEADER" : "NUMBER";
+  diagnostics.error(
+      {table.file().path, 0, 0},
+      fmt::format("has no column{} {}", one ? "" : "s", fmt::join(names, ", ")),
+      fmt::format("{}; name the right {} with --map {}={}", table.columns_in_words(),
+                  one ? "one" : "ones", fmt::join(names, fmt::format("={},", mapped)), mapped));
 }
 
 // A column that must be there.
@@ -65,11 +62,12 @@ std::optional<double> length_factor(const CsvTable& table, std::size_t column,
   for (const Unit& unit : kLengths) {
     if (at.unit == unit.name) return unit.factor;
   }
-  diagnostics.error(
-      {table.file().path, 0, 0},
-      at.unit.empty() ? fmt::format("column {} has no unit", at.header)
-                      : fmt::format("column {}: {} is no unit of length", at.header, at.unit),
-      fmt::format("name it {}_mm, or give --map {}_mm={}", at.name, at.name, at.header));
+  diagnostics.error({table.file().path, 0, 0},
+                    at.unit.empty() ? fmt::format("{} has no unit", table.column_in_words(column))
+                                    : fmt::format("{}: {} is no unit of length",
+                                                  table.column_in_words(column), at.unit),
+                    fmt::format("name it {}_mm, or give --map {}_mm={}", at.name, at.name,
+                                at.header.empty() ? std::to_string(column + 1) : at.header));
   return std::nullopt;
 }
 
@@ -91,20 +89,19 @@ std::optional<AngleUnit> angle_unit(const CsvTable& table, std::size_t column,
   if (at.unit == "rad") by_header = AngleUnit::rad;
   if (options.angles) {
     if (by_header && *by_header != *options.angles) {
-      diagnostics.warning(
-          {table.file().path, 0, 0},
-          fmt::format("column {} is read in {} as you asked, against its name", at.header,
-                      *options.angles == AngleUnit::deg ? "degrees" : "radians"));
+      diagnostics.warning({table.file().path, 0, 0},
+                          fmt::format("{} is read in {} as you asked, against its name",
+                                      table.column_in_words(column),
+                                      *options.angles == AngleUnit::deg ? "degrees" : "radians"));
     }
     return options.angles;
   }
   if (by_header) return by_header;
-  diagnostics.error(
-      {table.file().path, 0, 0},
-      at.unit.empty()
-          ? fmt::format("column {} has no unit", at.header.empty() ? at.name : at.header)
-          : fmt::format("column {}: {} is no unit of angle", at.header, at.unit),
-      "give --angles deg or --angles rad, or name the column q1_deg, q2_deg, ..");
+  diagnostics.error({table.file().path, 0, 0},
+                    at.unit.empty() ? fmt::format("{} has no unit", table.column_in_words(column))
+                                    : fmt::format("{}: {} is no unit of angle",
+                                                  table.column_in_words(column), at.unit),
+                    "give --angles deg or --angles rad, or name the column q1_deg, q2_deg, ..");
   return std::nullopt;
 }
 
@@ -220,6 +217,23 @@ void check_duplicates(const CsvTable& table, const std::vector<Eigen::Vector3d>&
   }
 }
 
+// Whole rows, as written: a clock or a counter beside equal readings makes them different ones.
+void check_duplicate_rows(const CsvTable& table, Diagnostics& diagnostics) {
+  const std::size_t last = table.columns().size() - 1;
+  std::unordered_map<std::string_view, int> first_lines;
+  for (std::size_t row = 0; row < table.row_count(); ++row) {
+    const std::string_view begin = table.field(row, 0);
+    const std::string_view end = table.field(row, last);
+    const std::string_view text(begin.data(),
+                                static_cast<std::size_t>(end.data() + end.size() - begin.data()));
+    const auto [first, is_new] = first_lines.emplace(text, table.line(row));
+    if (is_new) continue;
+    diagnostics.error({table.file().path, table.line(row), 0},
+                      fmt::format("is the same as line {}", first->second),
+                      "delete it, or give --keep-duplicates if it was measured twice");
+  }
+}
+
 void check_zero_points(const CsvTable& table, const std::vector<Eigen::Vector3d>& points,
                        Diagnostics& diagnostics) {
   for (std::size_t row = 0; row < points.size(); ++row) {
@@ -295,6 +309,7 @@ std::optional<JointReadings> joint_readings(const CsvTable& table, int joint_cou
     }
     in_degrees = in_degrees || *unit == AngleUnit::deg;
   }
+  if (!options.keep_duplicates) check_duplicate_rows(table, diagnostics);
   if (diagnostics.error_count() > errors_before) return std::nullopt;
   if (in_degrees) warn_of_radians_as_degrees(table, readings, diagnostics);
   readings.lines = lines_of(table);
@@ -324,6 +339,11 @@ std::optional<PointReadings> point_readings(const CsvTable& given, const TableOp
   }
   if (diagnostics.error_count() > errors_before) return std::nullopt;
   readings.lines = lines_of(*table);
+  if (const auto names = table->find("point")) {
+    for (std::size_t row = 0; row < table->row_count(); ++row) {
+      readings.names.emplace_back(table->field(row, *names));
+    }
+  }
   return readings;
 }
 
@@ -337,6 +357,7 @@ std::optional<RawSymmetricPoints> symmetric_points(const CsvTable& table,
   bool planar = false;
   auto points = coordinates(table, planar, diagnostics);
   if (points && !options.keep_zero_points) check_zero_points(table, *points, diagnostics);
+  if (!options.keep_duplicates) check_duplicate_rows(table, diagnostics);
 
   const auto end = reading.kind == SymmetricKind::reversal ? required(table, "end", "", diagnostics)
                                                            : table.find("end");
@@ -353,7 +374,9 @@ std::optional<RawSymmetricPoints> symmetric_points(const CsvTable& table,
     }
   }
   if (table.find("q1")) {
-    const auto angles = joint_readings(table, joint_count, options, diagnostics);
+    TableOptions angle_options = options;
+    angle_options.keep_duplicates = true;  // told above
+    const auto angles = joint_readings(table, joint_count, angle_options, diagnostics);
     if (angles) raw.encoder_rad = angles->encoder_rad;
   }
   if (reading.kind == SymmetricKind::zero_search) {

@@ -84,7 +84,7 @@ TEST(JointReadings, IsStrictWhereAMistakeWouldBeSilent) {
 
 TEST(JointReadings, WarnsOfWhatLooksLikeRadians) {
   std::string text = "q1_deg,q2_deg\n";
-  for (int i = 0; i < 12; ++i) text += "1.2,-3.1\n";
+  for (int i = 0; i < 12; ++i) text += "1.2,-3.0" + std::to_string(i) + "\n";
   Diagnostics diagnostics;
   EXPECT_TRUE(joint_readings(table_of(text), 2, {}, diagnostics).has_value());
   EXPECT_THAT(diagnostics.to_text(),
@@ -205,6 +205,25 @@ TEST(JointReadings, ReadsRealFilesWithTheirWarts) {
   const auto points = point_readings(*table, options, diagnostics);
   ASSERT_TRUE(points.has_value());
   EXPECT_DOUBLE_EQ(points->points_mm[0].x(), 383.76294);
+}
+
+// Rows copied by mistake were averaged as if they had been measured.
+TEST(ReadingTables, EqualRowsOfAnglesAndOfRawPointsAreRefusedUnlessKept) {
+  const char* angles = "q1_deg,q2_deg,clock\n1,2,10:00\n1,2,10:01\n1,2,10:01\n";
+  const char* ends = "end,x_mm,y_mm,z_mm\nA,1,2,3\nB,1,2,3\nA,1,2,3\n";
+  SymmetricReading reversal;
+  for (const bool keep : {false, true}) {
+    TableOptions options;
+    options.keep_duplicates = keep;
+    Diagnostics diagnostics;
+    EXPECT_EQ(joint_readings(table_of(angles), 2, options, diagnostics).has_value(), keep);
+    EXPECT_EQ(symmetric_points(table_of(ends), reversal, 2, options, diagnostics).has_value(),
+              keep);
+    if (keep) continue;
+    EXPECT_EQ(diagnostics.error_count(), 2u);
+    EXPECT_THAT(diagnostics.to_text(), HasSubstr(":4: error: is the same as line 3"));
+    EXPECT_THAT(diagnostics.to_text(), HasSubstr(":4: error: is the same as line 2"));
+  }
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "armcal/arm/parameter_table.h"
 #include "armcal/core/spelling.h"
 #include "armcal/core/units.h"
+#include "armcal/io/plausibility.h"
 #include "armcal/io/toml_value.h"
 
 namespace armcal {
@@ -87,6 +88,8 @@ SymmetricReading read_reading(TomlSection section, const std::string& path, std:
     reading.sweep = section.integer("sweep").value_or(reading.joint - 1);
   }
   if (const auto posture = section.numbers("posture_deg")) {
+    warn_of_radians({posture->data(), static_cast<std::size_t>(posture->size())},
+                    "the angles of posture_deg", section.where("posture_deg"), diagnostics);
     reading.posture_rad =
         posture->unaryExpr([](double angle) { return radians_from_degrees(angle); });
     reading.posture_end_rad = reading.posture_rad;

@@ -26,6 +26,7 @@ struct PointReadings {
   std::string file;
   bool planar = false;  ///< only x and y were given; z is 0
   std::vector<Eigen::Vector3d> points_mm;
+  std::vector<std::string> names;  ///< from a column `point`; empty without one
   std::vector<int> lines;
 };
 

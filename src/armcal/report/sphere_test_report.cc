@@ -15,20 +15,20 @@
 namespace armcal {
 namespace {
 
-Json test_entry(const char* name, double value, const std::optional<double>& limit,
-                Verdict verdict) {
+Json test_entry(const char* name, const std::optional<double>& value,
+                const std::optional<double>& limit, Verdict verdict) {
   Json entry;
   entry["name"] = name;
   entry["symbol"] = nullptr;  // not a test of a standard: it has no symbol there
-  entry["value_mm"] = value;
+  entry["value_mm"] = json_of(value);
   entry["mpe_mm"] = json_of(limit);
   entry["U_mm"] = nullptr;  // nor a budget: limits are compared with the values as they are
   entry["verdict"] = to_string(verdict);
   return entry;
 }
 
-std::string limit_text(const std::optional<double>& limit) {
-  return limit ? fixed(*limit, 4) : "-";
+std::string text_or_dash(const std::optional<double>& value) {
+  return value ? fixed(*value, 4) : "-";
 }
 
 std::string verdict_text(Verdict verdict) {
@@ -44,7 +44,7 @@ Json json_result(const SphereTest& test, const SphereTestOptions& options) {
   json["diameter_mm"] = test.diameter_mm;
   json["diameter_error_mm"] = test.diameter_error_mm;
   json["relative_error"] = test.relative_error;
-  json["form_error_mm"] = test.form_error_mm;
+  json["form_error_mm"] = json_of(test.form_error_mm);
   json["uncompensated_diameter_mm"] = test.uncompensated_diameter_mm;
   json["uncompensated_error_mm"] = test.uncompensated_error_mm;
   json["u_diameter_mm"] = json_of(test.u_diameter_mm);
@@ -72,10 +72,10 @@ std::string text_result(const SphereTest& test, const SphereTestOptions& options
   TextTable table({{"", Align::left}, {"value mm"}, {"limit mm"}, {"verdict"}});
   table.add_row({"diameter", fixed(test.diameter_mm, 4), "", ""});
   table.add_row({"diameter error", fixed(test.diameter_error_mm, 4),
-                 limit_text(options.largest_diameter_error_mm),
+                 text_or_dash(options.largest_diameter_error_mm),
                  verdict_text(test.diameter_verdict)});
-  table.add_row({"form error", fixed(test.form_error_mm, 4),
-                 limit_text(options.largest_form_error_mm), verdict_text(test.form_verdict)});
+  table.add_row({"form error", text_or_dash(test.form_error_mm),
+                 text_or_dash(options.largest_form_error_mm), verdict_text(test.form_verdict)});
   text += table.text();
   text +=
       fmt::format("  relative error of the diameter {} %\n", fixed(100.0 * test.relative_error, 4));

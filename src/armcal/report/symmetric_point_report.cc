@@ -276,6 +276,23 @@ void add_sign_findings(const SymmetricPointAnalysis& analysis, std::vector<std::
   found.push_back(sentence + ".");
 }
 
+// One sentence each, or one for all where everything was asked for and most of it must be held.
+void add_held_findings(const std::vector<HeldParameter>& held, std::vector<std::string>& found) {
+  constexpr std::size_t kToldOneByOne = 6;
+  if (held.size() <= kToldOneByOne) {
+    for (const HeldParameter& one : held) {
+      found.push_back(fmt::format("{}: {} held.", one.reason, one.name));
+    }
+    return;
+  }
+  std::vector<std::string> names;
+  for (const HeldParameter& one : held) names.push_back(one.name);
+  found.push_back(
+      fmt::format("{} parameters are held at their nominal values, since these readings do not "
+                  "determine them as well (--json says why for each): {}.",
+                  names.size(), joined(names)));
+}
+
 }  // namespace
 
 Json json_result(const SymmetricPointAnalysis& analysis) {
@@ -356,9 +373,7 @@ std::vector<std::string> findings(const SymmetricPointAnalysis& analysis) {
   if (!analysis.adjustment.ok()) return found;
   add_claim_findings(analysis, found);
   add_check_findings(analysis, found);
-  for (const HeldParameter& held : analysis.adjustment.undetermined) {
-    found.push_back(fmt::format("{}: {} held.", held.reason, held.name));
-  }
+  add_held_findings(analysis.adjustment.undetermined, found);
   return found;
 }
 
@@ -392,6 +407,32 @@ std::string readings_text(const SymmetricPointAnalysis& analysis) {
       cells.push_back(check_text(adjusted));
     }
     table.add_row(std::move(cells));
+  }
+  return table.text();
+}
+
+// How raw points became values: how many, how they repeat, and what the encoders say of the half
+// turn.
+std::string reductions_text(const SymmetricPointAnalysis& analysis) {
+  TextTable table({{"reading", Align::left},
+                   {"points"},
+                   {"spread mm"},
+                   {"half turn deg"},
+                   {"others moved deg"}});
+  for (const Reduction& reduction : analysis.reductions) {
+    if (reduction.end_a && reduction.end_b) {
+      table.add_row({reduction.reading,
+                     fmt::format("{} + {}", reduction.end_a->count, reduction.end_b->count),
+                     fixed(std::max(reduction.end_a->s_mm, reduction.end_b->s_mm), 4),
+                     amount(reduction.half_turn_rad, true, 3),
+                     amount(reduction.largest_slip_rad, true, 4)});
+    } else if (reduction.arc) {
+      table.add_row({reduction.reading, fmt::format("{}", reduction.arc->count),
+                     fixed(reduction.arc->rms_mm, 4), "", ""});
+    } else {
+      table.add_row(
+          {reduction.reading, fmt::format("{} settings", reduction.radii.size()), "", "", ""});
+    }
   }
   return table.text();
 }
@@ -502,6 +543,7 @@ std::string text_result(const SymmetricPointAnalysis& analysis) {
                   analysis.nominal.name.empty() ? "an arm" : analysis.nominal.name,
                   analysis.nominal.joint_count());
   text += readings_text(analysis);
+  if (!analysis.reductions.empty()) text += "\nRaw points\n" + reductions_text(analysis);
   if (!analysis.adjustment.ok()) {
     text += fmt::format(
         "\nNo adjustment: {}{}\n", explain(analysis.adjustment.status),

@@ -94,12 +94,26 @@ struct Choice {
   double condition_number = 1.0;
 };
 
+// What the readings are taken for: lengths that this arm has by design, and zeros that are
+// searched. An offset that is 0 by design moves the same readings, and would take the place of a
+// length.
+bool is_meant(const Parameter& parameter, std::span<const SymmetricReading> readings) {
+  if (parameter.unit == ParameterUnit::mm) return parameter.nominal != 0.0;
+  return parameter.kind == ParameterKind::zero &&
+         std::any_of(readings.begin(), readings.end(), [&](const SymmetricReading& reading) {
+           return reading.is_angle() && reading.joint == parameter.joint;
+         });
+}
+
 std::vector<int> in_wanted_order(const ArmModel& arm, const ParameterTable& table,
+                                 std::span<const SymmetricReading> readings,
                                  const std::vector<int>& asked) {
   std::vector<int> ordered;
   for (const int index : wanted_order(arm, table)) {
     if (std::find(asked.begin(), asked.end(), index) != asked.end()) ordered.push_back(index);
   }
+  std::stable_partition(ordered.begin(), ordered.end(),
+                        [&](int index) { return is_meant(table[index], readings); });
   return ordered;
 }
 
@@ -228,7 +242,8 @@ Adjustment adjust_once(const ArmModel& nominal, std::span<const SymmetricReading
   Eigen::MatrixXd design;
   problem.linearise(nominal, residuals, design);
   for (std::size_t i = 0; i < readings.size(); ++i) {
-    if (!std::isfinite(residuals(static_cast<Eigen::Index>(i)))) {
+    const auto row = static_cast<Eigen::Index>(i);
+    if (!std::isfinite(residuals(row)) || !design.row(row).allFinite()) {
       result.status = AdjustmentStatus::not_defined;
       result.detail = readings[i].name;
       return result;
@@ -236,7 +251,7 @@ Adjustment adjust_once(const ArmModel& nominal, std::span<const SymmetricReading
   }
   // Which parameters are determined is asked at the nominal arm and again at the adjusted one:
   // symmetries of a nominal arm hide what the real one shows, and the other way round.
-  const std::vector<int> wanted = in_wanted_order(nominal, table, options.unknowns);
+  const std::vector<int> wanted = in_wanted_order(nominal, table, readings, options.unknowns);
   Choice choice;
   SmallSolution solution;
   constexpr int kRounds = 4;

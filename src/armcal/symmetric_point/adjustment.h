@@ -82,8 +82,9 @@ struct Adjustment {
 };
 
 struct AdjustmentOptions {
-  /// Parameters to estimate, by table index. What the readings cannot tell apart is held from the
-  /// end of `wanted_order`, and told.
+  /// Parameters to estimate, by table index. What the readings cannot tell apart is held and told:
+  /// first what is neither a length that the nominal arm has nor a zero that is searched, and each
+  /// from the end of `wanted_order`.
   std::vector<int> unknowns;
   double significance = 0.001;
   double power = 0.80;

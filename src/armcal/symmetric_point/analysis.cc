@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "armcal/symmetric_point/analysis.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <set>
 
@@ -17,12 +19,14 @@ constexpr double kComparedUncertainty_mm = 0.0005;
 std::vector<int> asked_unknowns(const SymmetricPointProcedure& procedure,
                                 const ParameterTable& table) {
   std::set<int> chosen;
-  if (procedure.unknowns.empty()) {
+  std::vector<std::string> patterns = procedure.unknowns;
+  if (patterns.empty()) {
     for (const SymmetricReading& reading : procedure.readings) {
-      if (!reading.solves.empty()) chosen.insert(table.find(reading.solves).value());
+      if (!reading.solves.empty()) patterns.push_back(reading.solves);
     }
   }
-  for (const std::string& pattern : procedure.unknowns) {
+  if (patterns.empty()) patterns.emplace_back("*");
+  for (const std::string& pattern : patterns) {
     for (const int index : table.matching(pattern)) chosen.insert(index);
   }
   for (const std::string& pattern : procedure.hold) {
@@ -63,6 +67,61 @@ bool reduce_all(const std::vector<SymmetricReading>& raw, SymmetricPointAnalysis
   return good;
 }
 
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const std::size_t half = values.size() / 2;
+  return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2.0;
+}
+
+// The same machine took them all: a reading that repeats so much worse than the others of its kind
+// hides a blunder, also where its own repeats are too few to tell which. Zero searches are left
+// out: their uncertainty is that of a slope over a bend, which differs from joint to joint.
+void warn_of_wide_scatter(const SymmetricPointAnalysis& analysis, Diagnostics& diagnostics) {
+  constexpr double kWide = 10.0;
+  constexpr double kNoticeable_mm = 0.01;
+  struct Scatter {
+    const SymmetricReading* reading;
+    double u_mm;
+  };
+  std::vector<Scatter> all;
+  for (const Reduction& reduction : analysis.reductions) {
+    for (const SymmetricReading& reading : analysis.readings) {
+      if (reading.name != reduction.reading || reading.is_angle()) continue;
+      if (reduction.u_type_a > 0.0) all.push_back({&reading, reduction.u_type_a});
+    }
+  }
+  for (const Scatter& one : all) {
+    std::vector<double> others;
+    for (const Scatter& other : all) {
+      const bool same_kind = other.reading->kind == one.reading->kind;
+      if (same_kind && other.reading != one.reading) others.push_back(other.u_mm);
+    }
+    if (others.size() < 2 || one.u_mm < kNoticeable_mm) continue;
+    const double usual = median(others);
+    if (one.u_mm <= kWide * usual) continue;
+    diagnostics.warning(
+        {one.reading->raw->file, 0, 0},
+        fmt::format("reading \"{}\" scatters far more than the others of its kind: standard "
+                    "uncertainty {:.4f} mm from its repeats, usually {:.4f} mm",
+                    one.reading->name, one.u_mm, usual),
+        "look for a blunder among its points");
+  }
+}
+
+// Of the chain where it is complete, else of the adjustment; none where neither exists.
+void add_leakage(SymmetricPointAnalysis& analysis) {
+  std::optional<Leakage> leakage;
+  if (analysis.chain && analysis.chain->complete) {
+    leakage = leakage_of_chain(analysis.chain->arm, analysis.readings);
+    analysis.leakage_of_chain = leakage.has_value();
+  }
+  if (!leakage && analysis.adjustment.ok()) {
+    leakage = leakage_of_adjustment(analysis.adjustment.arm, analysis.readings,
+                                    analysis.adjustment.unknowns);
+  }
+  if (leakage) analysis.leakage = std::move(*leakage);
+}
+
 }  // namespace
 
 bool SymmetricPointAnalysis::is_consistent() const {
@@ -76,16 +135,21 @@ std::optional<SymmetricPointAnalysis> analyse_symmetric_points(
     const std::optional<ArmModel>& compared, Diagnostics& diagnostics) {
   SymmetricPointAnalysis analysis;
   analysis.nominal = nominal;
-  if (!reduce_all(procedure.readings, analysis, diagnostics)) return std::nullopt;
+  Diagnostics first;  // reducing twice, each warning is told once
+  const bool again = !procedure.unknown_signs.empty();
+  const bool reduced = reduce_all(procedure.readings, analysis, first);
+  if (!reduced || !again) diagnostics.append(first);
+  if (!reduced) return std::nullopt;
   analysis.signs = search_signs(nominal, analysis.readings, procedure.unknown_signs);
   analysis.nominal = analysis.signs.front().arm;
-  if (!procedure.unknown_signs.empty()) {
+  if (again) {
     // A zero search is reduced with the shape of the nominal arm: once more, with its signs
     // settled.
     analysis.readings.clear();
     analysis.reductions.clear();
     if (!reduce_all(procedure.readings, analysis, diagnostics)) return std::nullopt;
   }
+  warn_of_wide_scatter(analysis, diagnostics);
   analysis.predicted_by_nominal = predictions(analysis.nominal, analysis.readings);
 
   const ParameterTable table(analysis.nominal);
@@ -99,13 +163,7 @@ std::optional<SymmetricPointAnalysis> analyse_symmetric_points(
       std::any_of(analysis.readings.begin(), analysis.readings.end(),
                   [](const SymmetricReading& reading) { return !reading.solves.empty(); });
   if (has_chain) analysis.chain = solve_chain(analysis.nominal, analysis.readings);
-  if (analysis.chain && analysis.chain->complete) {
-    analysis.leakage = leakage_of_chain(analysis.chain->arm, analysis.readings);
-    analysis.leakage_of_chain = true;
-  } else if (analysis.adjustment.ok()) {
-    analysis.leakage = leakage_of_adjustment(analysis.adjustment.arm, analysis.readings,
-                                             analysis.adjustment.unknowns);
-  }
+  add_leakage(analysis);
   const std::vector<Claim> claims = compared ? claims_of(*compared) : procedure.claims;
   if (analysis.adjustment.ok()) {
     analysis.claims =

@@ -23,15 +23,17 @@ struct ChainStep {
 
 struct Chain {
   bool complete = false;
-  std::string problem;  ///< why it broke off: "l_PP3 does not depend on a5"
-  std::vector<ChainStep> steps;
-  ArmModel arm;  ///< nominal with the recovered values
+  std::string problem;           ///< why it broke off: "l_PP3 does not depend on a5"
+  std::vector<ChainStep> steps;  ///< up to there
+  ArmModel arm;                  ///< nominal with the recovered values
 };
 
 /// The chain of equations of the symmetric-point method for any arm: readings that name the
 /// parameter they solve are taken in the order of the file, each solved for its parameter on the
 /// arm as known so far (Newton's method from the nominal value, whose sign also chooses between
-/// mirror solutions). Readings that solve nothing take no part. theory/symmetric_point.md eq. (13).
+/// mirror solutions). Readings that solve nothing take no part. A chain whose readings do not tell
+/// their parameters apart is broken as well: its result would be an accident of the nominal values.
+/// theory/symmetric_point.md eq. (13).
 [[nodiscard]] Chain solve_chain(const ArmModel& nominal,
                                 std::span<const SymmetricReading> readings);
 

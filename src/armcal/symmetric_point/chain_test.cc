@@ -57,5 +57,19 @@ TEST(Chain, BreaksOffWhereNoValueFits) {
   EXPECT_FALSE(solve_chain(testing::nominal_romer(), readings).complete);
 }
 
+// Two readings of one radius were solved for both sides of the tip and crashed what came after.
+TEST(Chain, IsBrokenWhereTheReadingsDoNotTellTheirParametersApart) {
+  auto first = testing::circle_radius("r1", 6, testing::degrees({0, 0, 0, 0, 0, 0}), 178.383);
+  auto second = first;
+  second.name = "r2";
+  first.solves = "b7";
+  second.solves = "a7";
+  const Chain chain =
+      solve_chain(testing::nominal_romer(), std::vector<SymmetricReading>{first, second});
+  EXPECT_FALSE(chain.complete);
+  EXPECT_TRUE(chain.steps.empty());
+  EXPECT_EQ(chain.problem, "r1, r2 cannot tell a7 from the rest: a7 moves every reading like b7");
+}
+
 }  // namespace
 }  // namespace armcal

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "armcal/arm/parameter_table.h"
-#include "armcal/core/invariant.h"
 #include "armcal/numerics/linear_algebra.h"
 #include "armcal/symmetric_point/adjustment.h"
 
@@ -13,8 +12,8 @@ namespace armcal {
 namespace {
 
 // The least-squares inverse of the recovered columns applied to all the others.
-Leakage leakage_of_design(const ParameterTable& table, const Eigen::MatrixXd& design,
-                          const std::vector<int>& recovered) {
+std::optional<Leakage> leakage_of_design(const ParameterTable& table, const Eigen::MatrixXd& design,
+                                         const std::vector<int>& recovered) {
   Leakage leakage;
   std::vector<int> assumed;
   for (int i = 0; i < table.size(); ++i) {
@@ -31,19 +30,21 @@ Leakage leakage_of_design(const ParameterTable& table, const Eigen::MatrixXd& de
     leakage.assumed.push_back(table[assumed[i]].name);
   }
   const auto factor = inverse_factor(own);
-  ARMCAL_INVARIANT(factor.has_value());
+  if (!factor) return std::nullopt;
   leakage.table = *factor * (factor->transpose() * (own.transpose() * others));
   return leakage;
 }
 
 }  // namespace
 
-Leakage leakage_of_adjustment(const ArmModel& arm, std::span<const SymmetricReading> readings,
-                              const std::vector<int>& recovered) {
+std::optional<Leakage> leakage_of_adjustment(const ArmModel& arm,
+                                             std::span<const SymmetricReading> readings,
+                                             const std::vector<int>& recovered) {
   return leakage_of_design(ParameterTable(arm), design_matrix(arm, readings), recovered);
 }
 
-Leakage leakage_of_chain(const ArmModel& arm, std::span<const SymmetricReading> readings) {
+std::optional<Leakage> leakage_of_chain(const ArmModel& arm,
+                                        std::span<const SymmetricReading> readings) {
   const ParameterTable table(arm);
   std::vector<SymmetricReading> links;
   std::vector<int> recovered;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -22,13 +23,15 @@ struct Leakage {
 };
 
 /// Leakage of the adjustment of all readings, about `arm`. theory/symmetric_point.md eq. (11).
-/// @param recovered  table indices of the adjusted parameters, which the readings must determine
-[[nodiscard]] Leakage leakage_of_adjustment(const ArmModel& arm,
-                                            std::span<const SymmetricReading> readings,
-                                            const std::vector<int>& recovered);
+/// @param recovered  table indices of the adjusted parameters
+/// @return nothing where the readings do not determine them
+[[nodiscard]] std::optional<Leakage> leakage_of_adjustment(
+    const ArmModel& arm, std::span<const SymmetricReading> readings,
+    const std::vector<int>& recovered);
 
 /// Leakage of the chain of equations, which takes each parameter from one reading: eq. (12).
-[[nodiscard]] Leakage leakage_of_chain(const ArmModel& arm,
-                                       std::span<const SymmetricReading> readings);
+/// @return nothing where the readings that solve do not tell their parameters apart
+[[nodiscard]] std::optional<Leakage> leakage_of_chain(const ArmModel& arm,
+                                                      std::span<const SymmetricReading> readings);
 
 }  // namespace armcal

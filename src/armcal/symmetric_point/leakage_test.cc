@@ -33,7 +33,7 @@ TEST(Leakage, HasTheKnownEntriesForThePapersArm) {
   // mm per mrad, from the project's derivation: which assumption of the paper matters and which
   // does not.
   const Leakage leakage =
-      leakage_of_chain(testing::consistent_romer(), testing::wang2016_readings());
+      leakage_of_chain(testing::consistent_romer(), testing::wang2016_readings()).value();
   const double mrad = 1e-3;
   EXPECT_NEAR(mrad * entry(leakage, "a5", "zero4"), -0.71, 0.005);
   EXPECT_NEAR(mrad * entry(leakage, "b5", "zero4"), 0.25, 0.005);
@@ -109,7 +109,7 @@ TEST(Leakage, PredictsTheErrorOfTheAdjustmentToFirstOrder) {
   auto exact = testing::wang2016_readings();
   for (SymmetricReading& reading : exact) reading.value = predict(arm, reading).value;
   expect_first_order_prediction(
-      leakage_of_adjustment(arm, exact, unknowns),
+      leakage_of_adjustment(arm, exact, unknowns).value(),
       [&](const ArmModel& assumed, const std::vector<SymmetricReading>& readings) {
         const Adjustment adjustment = adjust(assumed, readings, {.unknowns = unknowns});
         EXPECT_TRUE(adjustment.ok());
@@ -119,12 +119,27 @@ TEST(Leakage, PredictsTheErrorOfTheAdjustmentToFirstOrder) {
 
 TEST(Leakage, PredictsTheErrorOfTheChainToFirstOrder) {
   expect_first_order_prediction(
-      leakage_of_chain(testing::consistent_romer(), testing::wang2016_readings()),
+      leakage_of_chain(testing::consistent_romer(), testing::wang2016_readings()).value(),
       [](const ArmModel& assumed, const std::vector<SymmetricReading>& readings) {
         const Chain chain = solve_chain(assumed, readings);
         EXPECT_TRUE(chain.complete);
         return chain.arm;
       });
+}
+
+// One radius read twice says nothing about the direction of the tip: this used to end the program.
+TEST(Leakage, IsAbsentWhereTheReadingsDoNotTellTheirParametersApart) {
+  auto first = testing::circle_radius("r1", 6, testing::degrees({0, 0, 0, 0, 0, 0}), 178.383);
+  auto second = first;
+  second.name = "r2";
+  first.solves = "b7";
+  second.solves = "a7";
+  const ArmModel arm = testing::consistent_romer();
+  const std::vector<SymmetricReading> readings = {first, second};
+  EXPECT_FALSE(leakage_of_chain(arm, readings).has_value());
+  const ParameterTable table(arm);
+  const std::vector<int> both = {table.find("b7").value(), table.find("a7").value()};
+  EXPECT_FALSE(leakage_of_adjustment(arm, readings, both).has_value());
 }
 
 }  // namespace

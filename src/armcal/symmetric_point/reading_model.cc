@@ -23,6 +23,11 @@ std::span<const double> as_span(const Eigen::VectorXd& v) {
 
 // A distance or radius below this share of the reach is rounding about zero: it has no direction.
 constexpr double kNoDistance = 1e-12;
+constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
+
+ReadingPrediction without_gradient(double value, const ArmModel& arm) {
+  return {value, Eigen::VectorXd::Constant(ParameterTable(arm).size(), kNotANumber)};
+}
 
 ReadingPrediction reversal(const ForwardKinematics& kinematics, const ArmModel& arm,
                            const SymmetricReading& reading) {
@@ -30,8 +35,7 @@ ReadingPrediction reversal(const ForwardKinematics& kinematics, const ArmModel& 
   const TipLinearisation after = kinematics.linearise(as_span(reading.posture_end_rad));
   const Eigen::Vector3d step = before.tip_mm - after.tip_mm;
   const double distance = step.norm();
-  if (!(distance > kNoDistance * reach_mm(arm)))
-    return {std::numeric_limits<double>::quiet_NaN(), {}};
+  if (!(distance > kNoDistance * reach_mm(arm))) return without_gradient(0.0, arm);
   return {distance,
           (before.J_tip_parameters - after.J_tip_parameters).transpose() * (step / distance)};
 }
@@ -58,8 +62,7 @@ ReadingPrediction circle_radius(const ForwardKinematics& kinematics, const Param
   const ReadingPrediction squared =
       squared_radius(kinematics, table, as_span(reading.posture_rad), reading.joint);
   const double radius = std::sqrt(squared.value);
-  if (!(radius > kNoDistance * reach_mm(arm)))
-    return {std::numeric_limits<double>::quiet_NaN(), {}};
+  if (!(radius > kNoDistance * reach_mm(arm))) return without_gradient(0.0, arm);
   return {radius, squared.gradient / (2.0 * radius)};
 }
 
@@ -101,7 +104,7 @@ ReadingPrediction zero_search(const ForwardKinematics& kinematics, const Paramet
   const double start = reading.reduced ? reading.value : reading.posture_rad(reading.joint - 1);
   const WaveWithGradients at = radius_wave(kinematics, table, arm, reading);
   const auto extremum = extremum_near(at.wave, joint_angle(joint, start));
-  if (!extremum) return {std::numeric_limits<double>::quiet_NaN(), {}};
+  if (!extremum) return without_gradient(kNotANumber, arm);
 
   const double t = *extremum;
   const double encoder = encoder_at_joint_angle(joint, t, start);
@@ -140,9 +143,6 @@ ReadingPrediction predict(const ArmModel& arm, const SymmetricReading& reading) 
     case SymmetricKind::zero_search:
       prediction = zero_search(kinematics, table, arm, reading);
       break;
-  }
-  if (prediction.gradient.size() == 0) {
-    prediction.gradient = Eigen::VectorXd::Constant(table.size(), prediction.value);
   }
   return prediction;
 }

@@ -22,8 +22,8 @@ struct ReadingPrediction {
 ///   zero_search    eq. (3)  the reading of the joint nearest to `reading.value` (unreduced: to the
 ///   posture) at
 ///                  which the radius about the axis of the swept joint is extremal
-/// Analytic gradients. The value is NaN where the reading does not exist: tip on the axis, no
-/// extremum.
+/// Analytic gradients. With the tip on the axis a distance or radius is 0 and has no gradient
+/// (NaN); value and gradient are NaN where the reading does not exist: no extremum.
 [[nodiscard]] ReadingPrediction predict(const ArmModel& arm, const SymmetricReading& reading);
 
 }  // namespace armcal

@@ -147,11 +147,17 @@ TEST(ReadingModel, ZeroSearchOfTheLastJointFollowsItsZeroOffset) {
   EXPECT_NEAR(predict(arm, search).value, phi - 0.01, 1e-12);
 }
 
-TEST(ReadingModel, SaysWhereAReadingDoesNotExist) {
+// It used to be no number, and was printed as such beside an arm with its tip on the last axis.
+TEST(ReadingModel, ATipOnTheAxisHasRadiusZeroAndNoGradient) {
   ArmModel arm = testing::consistent_romer();
   arm.tip = Tip{.d_mm = 100.0};  // on the last axis
-  EXPECT_TRUE(std::isnan(
-      predict(arm, testing::circle_radius("r", 6, testing::degrees({0, 0, 0, 0, 0, 0}))).value));
+  const Eigen::VectorXd posture = testing::degrees({0, 0, 0, 0, 0, 0});
+  for (const auto& reading :
+       {testing::circle_radius("r", 6, posture), testing::reversal("l", 6, posture)}) {
+    const ReadingPrediction prediction = predict(arm, reading);
+    EXPECT_EQ(prediction.value, 0.0) << reading.name;
+    EXPECT_TRUE(prediction.gradient.array().isNaN().all()) << reading.name;
+  }
 }
 
 }  // namespace

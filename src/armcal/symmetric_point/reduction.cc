@@ -7,9 +7,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "armcal/core/invariant.h"
 #include "armcal/core/units.h"
+#include "armcal/symmetric_point/far_points.h"
 #include "armcal/symmetric_point/reading_model.h"
 
 namespace armcal {
@@ -51,6 +53,65 @@ EndStatistics statistics_of(const RawSymmetricPoints& raw, const std::vector<std
   }
   if (end.count > 1) end.s_mm = std::sqrt(sum / (end.count - 1));
   return end;
+}
+
+std::vector<Eigen::Vector3d> points_of(const RawSymmetricPoints& raw,
+                                       const std::vector<std::size_t>& rows) {
+  std::vector<Eigen::Vector3d> points;
+  for (const std::size_t row : rows) points.push_back(raw.points_mm[row]);
+  return points;
+}
+
+SourcePosition place_of(const RawSymmetricPoints& raw, std::size_t row) {
+  return {raw.file, row < raw.lines.size() ? raw.lines[row] : 0, 0};
+}
+
+constexpr const char* kMendBlunder = "measure it again, or delete the row if it is a blunder";
+
+void warn_of_far_repeats(const RawSymmetricPoints& raw, const std::vector<std::size_t>& rows_a,
+                         const std::vector<std::size_t>& rows_b, Diagnostics& diagnostics) {
+  for (const FarPoint& far : far_repeats(points_of(raw, rows_a), points_of(raw, rows_b))) {
+    const bool in_a = far.index < rows_a.size();
+    const auto& rows = in_a ? rows_a : rows_b;
+    const std::size_t row = rows[far.index - (in_a ? 0 : rows_a.size())];
+    diagnostics.warning(
+        place_of(raw, row),
+        fmt::format("lies {:.3f} mm off the middle of the {} repeats of end {}; others lie {:.3f} "
+                    "mm off{}",
+                    far.distance_mm, rows.size(), in_a ? 'A' : 'B', far.usual_mm,
+                    rows.size() == 2 ? ": one of the two is wrong" : ""),
+        kMendBlunder);
+  }
+}
+
+void warn_of_far_arc_points(const RawSymmetricPoints& raw, const std::vector<std::size_t>& rows,
+                            Diagnostics& diagnostics) {
+  for (const FarPoint& far : far_points_of_arc(points_of(raw, rows))) {
+    diagnostics.warning(place_of(raw, rows[far.index]),
+                        fmt::format("lies {:.3f} mm off the circle of the other points of its arc, "
+                                    "which agree to {:.3f} mm",
+                                    far.distance_mm, far.usual_mm),
+                        kMendBlunder);
+  }
+}
+
+// The encoders tell when more than the one joint moved. The model takes the recorded angles, so
+// this is no error.
+void warn_of_slip(const SymmetricReading& reading, const Eigen::VectorXd& slip_rad,
+                  Diagnostics& diagnostics) {
+  constexpr double kNoticeable_rad = radians_from_degrees(0.1);
+  Eigen::Index joint = 0;
+  const double largest = slip_rad.cwiseAbs().maxCoeff(&joint);
+  if (largest <= kNoticeable_rad) return;
+  diagnostics.warning(
+      {reading.raw->file, 0, 0},
+      fmt::format(
+          "joint {} moved by {:.3f} deg between the ends of reading \"{}\": its distance is "
+          "not of a half turn of joint {} alone",
+          joint + 1, degrees_from_radians(slip_rad(joint)), reading.name, reading.joint),
+      "the recorded angles are used, so the adjustment holds; lock the other joints for the "
+      "paper's "
+      "equations to hold as well");
 }
 
 double combined(double u_type_a, double u_type_b) { return std::hypot(u_type_a, u_type_b); }
@@ -103,6 +164,7 @@ bool reduce_reversal(SymmetricReading& reading, Reduction& reduction, Diagnostic
                       "a reversal needs points before (A) and after (B) the half turn");
     return false;
   }
+  warn_of_far_repeats(raw, rows_a, rows_b, diagnostics);
   const EndDistance ends = end_distance(raw, rows_a, rows_b);
   reading.value = ends.distance_mm;
   reduction.end_a = ends.a;
@@ -116,6 +178,7 @@ bool reduce_reversal(SymmetricReading& reading, Reduction& reduction, Diagnostic
     reduction.half_turn_rad = difference(reading.joint - 1);
     difference(reading.joint - 1) = 0.0;
     reduction.largest_slip_rad = difference.lpNorm<Eigen::Infinity>();
+    warn_of_slip(reading, difference, diagnostics);
   } else {
     reduction.half_turn_rad = std::numbers::pi;
   }
@@ -130,6 +193,9 @@ bool reduce_arc(SymmetricReading& reading, Reduction& reduction, Diagnostics& di
                                                     explain(fit.status)));
     return false;
   }
+  std::vector<std::size_t> rows(raw.points_mm.size());
+  std::iota(rows.begin(), rows.end(), std::size_t{0});
+  warn_of_far_arc_points(raw, rows, diagnostics);
   reading.value = fit.radius_mm;
   reduction.u_type_a = fit.standard_uncertainty("radius").value_or(0.0);
   reading.u = combined(reduction.u_type_a, reading.u);
@@ -162,7 +228,7 @@ std::optional<RadiusAtSetting> radius_at_setting(const SymmetricReading& reading
   RadiusAtSetting at;
   for (const std::size_t row : rows)
     at.setting_rad += raw.setting_rad[row] / static_cast<double>(rows.size());
-  const SourcePosition where{raw.file, raw.lines[rows.front()], 0};
+  const SourcePosition where = place_of(raw, rows.front());
   if (!raw.end.empty()) {
     std::vector<std::size_t> ends[2];
     for (const std::size_t row : rows) ends[raw.end[row] == 'A' ? 0 : 1].push_back(row);
@@ -171,20 +237,20 @@ std::optional<RadiusAtSetting> radius_at_setting(const SymmetricReading& reading
                                            degrees_from_radians(at.setting_rad)));
       return std::nullopt;
     }
+    warn_of_far_repeats(raw, ends[0], ends[1], diagnostics);
     const EndDistance distance = end_distance(raw, ends[0], ends[1]);
     at.radius_mm = distance.distance_mm / 2.0;
     at.u_mm = distance.u_type_a_mm / 2.0;
     return at;
   }
-  std::vector<Eigen::Vector3d> points;
-  for (const std::size_t row : rows) points.push_back(raw.points_mm[row]);
-  const CircleFit fit = fit_circle(points);
+  const CircleFit fit = fit_circle(points_of(raw, rows));
   if (!fit.ok()) {
     diagnostics.error(
         where, fmt::format("arc at setting {:.3f} deg: {}", degrees_from_radians(at.setting_rad),
                            explain(fit.status)));
     return std::nullopt;
   }
+  warn_of_far_arc_points(raw, rows, diagnostics);
   at.radius_mm = fit.radius_mm;
   at.u_mm = fit.standard_uncertainty("radius").value_or(0.0);
   return at;

@@ -46,7 +46,8 @@ struct Reduction {
 /// those that the encoders recorded. The `u` that the file gives a raw reading is what repeats
 /// cannot show (type B); it is added in quadrature. Problems (one point per end and no u, an arc
 /// that is no arc) go to `diagnostics` at the place of the reading; then nothing is returned.
-/// Reduced readings pass through unchanged. theory/symmetric_point.md eq. (20)-(24).
+/// Points far off the others of their kind, and locked joints that moved, are warned of. Reduced
+/// readings pass through unchanged. theory/symmetric_point.md eq. (20)-(24).
 struct ReducedReading {
   SymmetricReading reading;
   Reduction reduction;

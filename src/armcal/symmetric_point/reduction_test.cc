@@ -184,6 +184,55 @@ TEST(Reduction, SaysWhatIsMissing) {
               HasSubstr("circle of reading \"R\": the points lie on one line"));
 }
 
+// A repeat 10 mm off went into the mean in silence and blew up the uncertainty instead.
+TEST(Reduction, WarnsOfABlunderAmongRepeatsWithItsLine) {
+  auto reading = raw_reading(testing::reversal("l", 5, testing::degrees({0, 0, 0, 0, 0, -90})));
+  for (const double x : {-0.001, 0.001, 0.0}) add(reading, {x, 5, 5}, 'A');
+  for (const double x : {100.0, 100.001, 110.0}) add(reading, {x, 5, 5}, 'B');
+  Diagnostics diagnostics;
+  ASSERT_TRUE(reduce(reading, testing::nominal_romer(), diagnostics).has_value());
+  EXPECT_THAT(
+      diagnostics.to_text(),
+      HasSubstr("points.csv:7: warning: lies 9.999 mm off the middle of the 3 repeats of end "
+                "B; others lie 0.001 mm off"));
+  EXPECT_EQ(diagnostics.entries().size(), 1u);
+}
+
+TEST(Reduction, WarnsOfABlunderOnAnArcWithItsLine) {
+  const ArmModel arm = testing::consistent_romer();
+  Machine cmm = machine(7, 0.002);
+  auto reading = raw_reading(testing::circle_radius("R", 6, Eigen::VectorXd::Zero(6)));
+  for (int i = 0; i < 18; ++i) {
+    Eigen::VectorXd q = Eigen::VectorXd::Zero(6);
+    q(5) = 0.3 * i;
+    add(reading,
+        cmm.point(arm, q) + (i == 4 ? Eigen::Vector3d(0, 0, 10) : Eigen::Vector3d(0, 0, 0)));
+  }
+  Diagnostics diagnostics;
+  ASSERT_TRUE(reduce(reading, arm, diagnostics).has_value());
+  EXPECT_THAT(diagnostics.to_text(), HasSubstr("points.csv:6: warning: lies "));
+  EXPECT_THAT(diagnostics.to_text(), HasSubstr("mm off the circle of the other points of its arc"));
+  EXPECT_EQ(diagnostics.entries().size(), 1u);
+}
+
+// The slip stood in the JSON only.
+TEST(Reduction, WarnsOfALockedJointThatMoved) {
+  Eigen::VectorXd before = testing::degrees({0, 20, 0, 30, 0, -90});
+  Eigen::VectorXd after = testing::degrees({0, 19.5, 0, 30, 180, -90});
+  auto reading = raw_reading(testing::reversal("l", 5, before));
+  reading.u = 0.001;
+  add(reading, {0, 0, 0}, 'A');
+  add_encoder(reading, before);
+  add(reading, {100, 0, 0}, 'B');
+  add_encoder(reading, after);
+  Diagnostics diagnostics;
+  ASSERT_TRUE(reduce(reading, testing::nominal_romer(), diagnostics).has_value());
+  EXPECT_THAT(
+      diagnostics.to_text(),
+      HasSubstr("points.csv: warning: joint 2 moved by -0.500 deg between the ends of reading "
+                "\"l\": its distance is not of a half turn of joint 5 alone"));
+}
+
 TEST(Reduction, ReducedReadingsPassThrough) {
   Diagnostics diagnostics;
   const auto reading = testing::wang2016_readings()[0];

@@ -18,20 +18,27 @@ namespace {
 // An error of which less than a tenth shows would pass unseen beside the noise of any arm.
 constexpr double kShownEnough = 0.1;
 
+bool is_positive(double value) { return std::isfinite(value) && value > 0.0; }
+
 void check(const SphereTestOptions& options) {
-  if (!(options.certified_diameter_mm > 0.0)) {
+  if (!is_positive(options.certified_diameter_mm)) {
     throw std::invalid_argument(fmt::format("certified diameter {} mm: must be larger than 0",
                                             options.certified_diameter_mm));
   }
-  if (!(options.tip_diameter_mm >= 0.0)) {
+  if (options.tip_diameter_mm != 0.0 && !is_positive(options.tip_diameter_mm)) {
     throw std::invalid_argument(
         fmt::format("tip diameter {} mm: must not be negative", options.tip_diameter_mm));
   }
+  for (const auto& limit : {options.largest_diameter_error_mm, options.largest_form_error_mm}) {
+    if (limit && !is_positive(*limit)) {
+      throw std::invalid_argument(fmt::format("limit {} mm: must be larger than 0", *limit));
+    }
+  }
 }
 
-Verdict judge(double error, const std::optional<double>& limit) {
-  if (!limit) return Verdict::not_judged;
-  return std::abs(error) <= *limit ? Verdict::pass : Verdict::fail;
+Verdict judge(const std::optional<double>& error, const std::optional<double>& limit) {
+  if (!limit || !error) return Verdict::not_judged;
+  return std::abs(*error) <= *limit ? Verdict::pass : Verdict::fail;
 }
 
 SphereTest test_points(std::span<const Eigen::Vector3d> points, const SphereTestOptions& options) {
@@ -44,7 +51,12 @@ SphereTest test_points(std::span<const Eigen::Vector3d> points, const SphereTest
   test.diameter_error_mm = test.diameter_mm - options.certified_diameter_mm;
   test.uncompensated_error_mm = test.uncompensated_diameter_mm - options.certified_diameter_mm;
   test.relative_error = test.diameter_error_mm / options.certified_diameter_mm;
-  test.form_error_mm = test.fit.form_mm;
+  if (test.diameter_mm <= 0.0) {
+    throw std::invalid_argument(
+        fmt::format("tip diameter {} mm: leaves nothing of the fitted sphere of {:.4f} mm",
+                    options.tip_diameter_mm, test.uncompensated_diameter_mm));
+  }
+  if (test.fit.count >= kLeastPointsForForm) test.form_error_mm = test.fit.form_mm;
   if (const auto u_radius = test.fit.standard_uncertainty("radius")) {
     test.u_diameter_mm = 2.0 * *u_radius;
   }

@@ -43,7 +43,9 @@ struct SphereTest {
   double diameter_error_mm = 0.0;  ///< measured - certified
   double relative_error = 0.0;     ///< of the diameter
   double uncompensated_error_mm = 0.0;
-  double form_error_mm = 0.0;           ///< largest minus smallest distance from the fitted centre
+  /// Largest minus smallest distance from the fitted centre; nothing for 4 points, which every
+  /// sphere through them fits.
+  std::optional<double> form_error_mm;
   std::optional<double> u_diameter_mm;  ///< from the scatter of the points
   Verdict diameter_verdict = Verdict::not_judged;
   Verdict form_verdict = Verdict::not_judged;
@@ -60,9 +62,13 @@ struct SphereTest {
 /// Puts the joint angles through the arm, fits a sphere to the tips and compares it with the
 /// certificate. theory/sphere_test.md eq. (1)-(4). Also says which parameters of the arm the
 /// readings could not show to be wrong: a still wrist makes a wrong arm look right. @throws
-/// std::invalid_argument unless the diameters are positive (that of the tip: not negative)
+/// std::invalid_argument unless the diameters are positive and finite (that of the tip: not
+/// negative, and smaller than the fitted one) and the limits too
 [[nodiscard]] SphereTest test_sphere(const ArmModel& arm, const JointReadings& readings,
                                      const SphereTestOptions& options);
+
+/// Fewest points that can contradict a sphere.
+inline constexpr Eigen::Index kLeastPointsForForm = 5;
 
 /// The same for coordinates that the arm's own software gave.
 [[nodiscard]] SphereTest test_sphere(const PointReadings& readings,

@@ -72,7 +72,7 @@ TEST(SphereTest, RightArmFindsTheCertifiedDiameter) {
   const SphereTest test = test_sphere(arm, readings, {kCertified, tip_diameter, {}, {}});
   ASSERT_TRUE(test.ok());
   EXPECT_NEAR(test.diameter_error_mm, 0.0, 1e-8);
-  EXPECT_NEAR(test.form_error_mm, 0.0, 1e-8);
+  EXPECT_NEAR(test.form_error_mm.value(), 0.0, 1e-8);
   EXPECT_NEAR(test.uncompensated_error_mm, tip_diameter, 1e-8);
   EXPECT_EQ(test.verdict(), Verdict::not_judged);
 }
@@ -86,7 +86,7 @@ TEST(SphereTest, PrintedArmPassesByDiameterAndFailsByForm) {
       test_sphere(testing::printed_romer(), readings, {kCertified, 0.0, 0.15, 0.1});
   ASSERT_TRUE(test.ok());
   EXPECT_LT(std::abs(test.diameter_error_mm), 0.15);
-  EXPECT_GT(test.form_error_mm, 1.0);
+  EXPECT_GT(test.form_error_mm.value(), 1.0);
   EXPECT_EQ(test.diameter_verdict, Verdict::pass);
   EXPECT_EQ(test.form_verdict, Verdict::fail);
   EXPECT_EQ(test.verdict(), Verdict::fail);
@@ -115,8 +115,8 @@ TEST(SphereTest, BlindSpotsAreWhatAnErrorReallyShows) {
     ArmModel wrong = arm;
     wrong.links[1].b_mm += 1.0;
     const SphereTest after = test_sphere(wrong, readings, {kCertified, 0.0, {}, {}});
-    EXPECT_NEAR(std::max(after.form_error_mm, std::abs(after.diameter_error_mm)), spot.shown,
-                0.1 * spot.shown + 1e-4);
+    EXPECT_NEAR(std::max(after.form_error_mm.value(), std::abs(after.diameter_error_mm)),
+                spot.shown, 0.1 * spot.shown + 1e-4);
   }
 }
 

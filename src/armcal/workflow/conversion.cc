@@ -15,15 +15,42 @@ bool looks_like_toml(const TextFile& file) {
   return file.text.find("schema") != std::string::npos && file.text.find('=') != std::string::npos;
 }
 
+DhConvention convention_of(ArmFormat format) {
+  return format == ArmFormat::dh_classic ? DhConvention::classic : DhConvention::modified;
+}
+
+std::optional<ArmModel> read_arm_only(const TextFile& file, const ConversionRequest& request,
+                                      Diagnostics& diagnostics) {
+  if (request.from && *request.from != ArmFormat::arm) {
+    diagnostics.error({file.path, 0, 0}, "is an arm file, which has no D-H convention",
+                      "leave --from away");
+  }
+  return read_arm(file, diagnostics);
+}
+
+// The file's own word for its convention stands; another one from the user is a contradiction.
+std::optional<ArmModel> read_dh_arm(const TextFile& file, const ConversionRequest& request,
+                                    Diagnostics& diagnostics) {
+  const auto table = read_dh(file, diagnostics);
+  if (!table) return std::nullopt;
+  if (request.from && convention_of(*request.from) != table->convention) {
+    diagnostics.error({file.path, 0, 0},
+                      fmt::format("says convention = \"{}\", which --from contradicts",
+                                  to_string(table->convention)),
+                      "leave --from away, or correct the file");
+  }
+  return arm_from_dh(*table);
+}
+
 std::optional<ArmModel> read_any(InputFiles& files, const ConversionRequest& request,
                                  const TableOptions& options) {
   auto file = files.text(request.input, kLargestConfiguration_bytes);
   if (!file) return std::nullopt;
   Diagnostics& diagnostics = files.diagnostics();
   if (looks_like_toml(*file)) {
-    if (file->text.find("armcal.dh/") == std::string::npos) return read_arm(*file, diagnostics);
-    const auto table = read_dh(*file, diagnostics);
-    return table ? std::optional(arm_from_dh(*table)) : std::nullopt;
+    const bool is_dh = file->text.find("armcal.dh/") != std::string::npos;
+    return is_dh ? read_dh_arm(*file, request, diagnostics)
+                 : read_arm_only(*file, request, diagnostics);
   }
   if (!request.from || *request.from == ArmFormat::arm) {
     diagnostics.error({request.input, 0, 0},
@@ -33,9 +60,7 @@ std::optional<ArmModel> read_any(InputFiles& files, const ConversionRequest& req
   }
   const auto csv = CsvTable::parse(std::move(*file), options.map, diagnostics);
   if (!csv) return std::nullopt;
-  const auto convention =
-      *request.from == ArmFormat::dh_classic ? DhConvention::classic : DhConvention::modified;
-  const auto table = dh_from_csv(*csv, convention, diagnostics);
+  const auto table = dh_from_csv(*csv, convention_of(*request.from), diagnostics);
   return table ? std::optional(arm_from_dh(*table)) : std::nullopt;
 }
 
@@ -57,9 +82,7 @@ std::string convert(InputFiles& files, const ConversionRequest& request,
   const auto arm = read_any(files, request, options);
   files.require_good();
   if (request.to == ArmFormat::arm) return arm_text(*arm);
-  const auto convention =
-      request.to == ArmFormat::dh_classic ? DhConvention::classic : DhConvention::modified;
-  const DhConversion conversion = dh_from_arm(*arm, convention);
+  const DhConversion conversion = dh_from_arm(*arm, convention_of(request.to));
   for (const std::string& lost : conversion.lost) {
     files.diagnostics().warning({request.input, 0, 0},
                                 fmt::format("a D-H table has no place for the {}: left out", lost));

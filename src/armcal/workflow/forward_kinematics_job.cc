@@ -41,7 +41,9 @@ Eigen::Matrix3Xd compute_tips(InputFiles& files, const std::string& arm_path,
                               const std::string& angles_path, const TableOptions& options) {
   const auto arm = files.arm(arm_path);
   files.require_good();
-  const auto readings = files.joints(angles_path, arm->joint_count(), options);
+  TableOptions log_options = options;
+  log_options.keep_duplicates = true;  // a log may well repeat a posture
+  const auto readings = files.joints(angles_path, arm->joint_count(), log_options);
   files.require_good();
   warn_of_limits(*arm, *readings, files.diagnostics());
   const ForwardKinematics kinematics(*arm);

@@ -30,7 +30,8 @@ std::optional<ArmModel> InputFiles::arm(const std::string& path) {
 
 std::optional<CsvTable> InputFiles::table(const std::string& path, const TableOptions& options) {
   auto file = text(path, kLargestTable_bytes);
-  return file ? CsvTable::parse(std::move(*file), options.map, diagnostics_, monitor_)
+  return file ? CsvTable::parse(std::move(*file), options.map, diagnostics_, monitor_,
+                                options.unmatched)
               : std::nullopt;
 }
 

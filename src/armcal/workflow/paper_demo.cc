@@ -3,6 +3,7 @@
 #include "armcal/workflow/paper_demo.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <array>
 #include <cmath>
@@ -168,6 +169,14 @@ PaperDemo run_paper_demo() {
   demo.json["as_printed"] = json_result(printed);
   demo.json["as_meant"] = json_result(meant);
   demo.json["signs"] = json_result(signs)["signs"];
+  demo.json["findings"] = {
+      fmt::format("One reading is misprinted, and the readings alone cannot show it. {} {}",
+                  fmt::join(findings_with(printed, "agrees with"), " "),
+                  fmt::join(findings_with(printed, "checked by nothing"), " ")),
+      fmt::format("The tip is counted twice. {}",
+                  fmt::join(findings_with(printed, "same length"), " ")),
+      fmt::format("A reversal has no sign. {}",
+                  fmt::join(findings_with(signs, "combinations of signs"), " "))};
   demo.json["sphere"] = {{"certified_diameter_mm", kCertifiedDiameter_mm},
                          {"measured_diameter_mm", kMeasuredDiameter_mm},
                          {"error_mm", sphere_error_mm},

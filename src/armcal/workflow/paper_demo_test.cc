@@ -34,6 +34,10 @@ TEST(PaperDemo, RecomputesTable2) {
   EXPECT_NEAR(adjusted["b7"]["value"].get<double>(), 176.484, 0.001);
   EXPECT_NEAR(json["consistent_chain"]["b3"].get<double>(), 747.489, 0.001);
   EXPECT_EQ(json["literal_chain"]["b7"], 178.383);
+  ASSERT_EQ(json["findings"].size(), 3u);  // documented, and once missing
+  EXPECT_THAT(json["findings"][0].get<std::string>(), HasSubstr("104.700 agrees with both"));
+  EXPECT_THAT(json["findings"][1].get<std::string>(), HasSubstr("same length as the reading R"));
+  EXPECT_THAT(json["findings"][2].get<std::string>(), HasSubstr("mirror images"));
   EXPECT_EQ(json["as_meant"]["consistent"], false);  // the compared arm, as printed, contradicts
   for (const Json& reading : json["as_meant"]["readings"]) {
     EXPECT_NEAR(reading["predicted"].get<double>(), reading["value"].get<double>(), 0.001 + 1e-9);
