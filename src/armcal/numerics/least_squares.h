@@ -64,7 +64,7 @@ struct LeastSquaresSolution {
 
 /// R of the QR decomposition of the whole Jacobian at x, built up block by block (its columns
 /// depend on each other exactly as those of the Jacobian, so analyse_rank takes it in its place). n
-/// x n; not weighted by a loss. theory/least_squares.md eq. (15).
+/// x n; not weighted by a loss. Throws Interrupted. theory/least_squares.md eq. (15).
 [[nodiscard]] Eigen::MatrixXd triangular_factor(const LeastSquaresProblem& problem,
                                                 const Eigen::VectorXd& x,
                                                 const Monitor& monitor = {}, int threads = 1);
