@@ -100,5 +100,33 @@ TEST(ConvertCommand, RefusesNearlyParallelAxesWithCode4) {
   EXPECT_THAT(result.err, HasSubstr("axes 1 and 2 are 0.0001 deg from parallel"));
 }
 
+TEST(ConvertCommand, ReadsAUrdf) {
+  const auto result = tool({"convert", example("urdf/ur10.urdf"), "--to", "dh-classic", "--csv"});
+  EXPECT_EQ(result.code, kDone) << result.err;
+  EXPECT_EQ(result.out,
+            tool({"convert", example("arms/ur10.arm.toml"), "--to", "dh-classic", "--csv"}).out);
+}
+
+TEST(ConvertCommand, WarnsOfWhatAUrdfCannotSay) {
+  const TemporaryFolder folder;
+  const std::string arm = folder.write("a.arm.toml",
+                                       "schema = \"armcal.arm/1\"\n[[link]]\nb_mm = 600\n"
+                                       "[[joint]]\nharmonics = [[1e-5, 0.0]]\n[[joint]]\n");
+  const auto result = tool({"convert", arm, "--to", "urdf"});
+  EXPECT_EQ(result.code, kDone);
+  EXPECT_THAT(result.err,
+              HasSubstr("a URDF has no place for the encoder harmonics of joint 1: left out"));
+  EXPECT_THAT(tool({"convert", arm, "--to", "c-header"}).out, HasSubstr("ARMCAL_HARMONICS 1"));
+  EXPECT_THAT(tool({"convert", arm, "--to", "csv-line"}).out,
+              HasSubstr(",cos1_1_rad,sin1_1_rad\n"));
+}
+
+TEST(ConvertCommand, ABrokenUrdfIsWrongInput) {
+  const TemporaryFolder folder;
+  const auto result = tool({"convert", folder.write("a.urdf", "<robot>\n</rob>\n")});
+  EXPECT_EQ(result.code, kWrongInput);
+  EXPECT_THAT(result.err, HasSubstr("a.urdf:2:3: error: is not XML"));
+}
+
 }  // namespace
 }  // namespace armcal::cli

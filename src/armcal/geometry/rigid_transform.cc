@@ -58,8 +58,14 @@ Eigen::Vector3d roll_pitch_yaw_from_rotation(const Eigen::Matrix3d& rotation) {
   if (cosine_pitch < 1e-15) {
     return {0.0, pitch, std::atan2(-rotation(0, 1), rotation(1, 1))};
   }
-  return {std::atan2(rotation(2, 1), rotation(2, 2)), pitch,
-          std::atan2(rotation(1, 0), rotation(0, 0))};
+  // Near +-90 deg only the sum of roll and yaw is well determined: roll is what the yaw just found
+  // leaves, or their errors, each 1e-16 / cos(pitch), would add up instead of cancelling.
+  const double yaw = std::atan2(rotation(1, 0), rotation(0, 0));
+  const double cy = std::cos(yaw);
+  const double sy = std::sin(yaw);
+  const double roll = std::atan2(sy * rotation(0, 2) - cy * rotation(1, 2),
+                                 cy * rotation(1, 1) - sy * rotation(0, 1));
+  return {roll, pitch, yaw};
 }
 
 PerpendicularPair perpendicular_pair(const Eigen::Vector3d& axis) {

@@ -61,6 +61,19 @@ std::string shortest_text(double value) {
   return text;
 }
 
+double with_point_moved(double value, int places) {
+  std::array<char, 32> digits{};
+  const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), value,
+                                          std::chars_format::scientific);
+  const std::string_view text(digits.data(), static_cast<std::size_t>(end - digits.data()));
+  const std::size_t e = text.find('e');
+  const double product = value * std::pow(10.0, places);
+  if (e == text.npos) return product;  // not finite
+  const auto exponent = parse_number(text.substr(e + 1));
+  return parse_number(fmt::format("{}e{:.0f}", text.substr(0, e), exponent.value_or(0.0) + places))
+      .value_or(product);
+}
+
 std::string degrees_text(double radians) {
   if (radians == 0.0) return "0.0";  // of either sign
   const double nearest = degrees_from_radians(radians);

@@ -20,6 +20,10 @@ namespace armcal {
 /// "90.0".
 [[nodiscard]] std::string shortest_text(double value);
 
+/// value * 10^places by moving the decimal point of its shortest text: 0.1273 m is 127.3 mm, which
+/// a product of doubles may miss by the last digit.
+[[nodiscard]] double with_point_moved(double value, int places);
+
 /// Shortest text in degrees that reads back, through radians_from_degrees, as the same double in
 /// radians. For the few radians that no double in degrees maps to, the nearest (2e-16 relative).
 [[nodiscard]] std::string degrees_text(double radians);

@@ -3,10 +3,12 @@
 #include "armcal/io/number_text.h"
 
 #include <gtest/gtest.h>
+
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 #include "armcal/core/units.h"
 
@@ -61,6 +63,15 @@ RC_GTEST_PROP(DegreesText, ReadsBackAsTheSameRadians, (std::int64_t whole)) {
   // Any other radians to within one unit in the last place.
   const double read = radians_from_degrees(parse_number(degrees_text(x)).value());
   RC_ASSERT(std::abs(read - x) <= 2.3e-16 * std::abs(x));
+}
+
+TEST(WithPointMoved, KeepsDecimalDigitsAsTheyAre) {
+  EXPECT_EQ(with_point_moved(-5.25e-5, 3), -0.0525);
+  EXPECT_NE(-5.25e-5 * 1000.0, -0.0525);  // what it is for
+  EXPECT_EQ(with_point_moved(0.1273, 3), 127.3);
+  EXPECT_EQ(with_point_moved(747.489, -3), 0.747489);
+  EXPECT_EQ(with_point_moved(0.0, 3), 0.0);
+  EXPECT_EQ(with_point_moved(1e300, 20), std::numeric_limits<double>::infinity());
 }
 
 }  // namespace

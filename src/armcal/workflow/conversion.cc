@@ -4,12 +4,22 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+
 #include "armcal/arm/dh_table.h"
 #include "armcal/io/arm_file.h"
 #include "armcal/io/dh_file.h"
+#include "armcal/io/firmware_text.h"
+#include "armcal/io/urdf_file.h"
+#include "armcal/io/urdf_writer.h"
 
 namespace armcal {
 namespace {
+
+// In the order of ArmFormat.
+constexpr std::array<std::string_view, 6> kFormatNames = {"arm",  "dh-classic", "dh-modified",
+                                                          "urdf", "c-header",   "csv-line"};
 
 bool looks_like_toml(const TextFile& file) {
   return file.text.find("schema") != std::string::npos && file.text.find('=') != std::string::npos;
@@ -47,14 +57,20 @@ std::optional<ArmModel> read_any(InputFiles& files, const ConversionRequest& req
   auto file = files.text(request.input, kLargestConfiguration_bytes);
   if (!file) return std::nullopt;
   Diagnostics& diagnostics = files.diagnostics();
+  if (looks_like_urdf(*file)) return read_urdf(*file, request.chain, diagnostics);
+  if (request.chain) {
+    diagnostics.error({request.input, 0, 0}, "is no URDF: --chain has no meaning for it");
+    return std::nullopt;
+  }
   if (looks_like_toml(*file)) {
     const bool is_dh = file->text.find("armcal.dh/") != std::string::npos;
     return is_dh ? read_dh_arm(*file, request, diagnostics)
                  : read_arm_only(*file, request, diagnostics);
   }
-  if (!request.from || *request.from == ArmFormat::arm) {
+  if (request.from != ArmFormat::dh_classic && request.from != ArmFormat::dh_modified) {
     diagnostics.error({request.input, 0, 0},
-                      "is no arm file; is it a D-H table? then its convention must be told",
+                      "is no arm file and no URDF; is it a D-H table? then its convention must be "
+                      "told",
                       "give --from dh-classic or --from dh-modified");
     return std::nullopt;
   }
@@ -68,25 +84,19 @@ bool is_identity(const RigidTransform& pose) {
   return pose.rotation.isIdentity(0.0) && pose.translation_mm.isZero(0.0);
 }
 
-}  // namespace
-
-std::optional<ArmFormat> arm_format(std::string_view name) {
-  if (name == "arm") return ArmFormat::arm;
-  if (name == "dh-classic") return ArmFormat::dh_classic;
-  if (name == "dh-modified") return ArmFormat::dh_modified;
-  return std::nullopt;
+void warn_of_losses(InputFiles& files, const std::string& input, std::string_view target,
+                    const std::vector<std::string>& losses) {
+  for (const std::string& lost : losses) {
+    files.diagnostics().warning({input, 0, 0},
+                                fmt::format("{} has no place for the {}: left out", target, lost));
+  }
 }
 
-std::string convert(InputFiles& files, const ConversionRequest& request,
-                    const TableOptions& options) {
-  const auto arm = read_any(files, request, options);
-  files.require_good();
-  if (request.to == ArmFormat::arm) return arm_text(*arm);
-  const DhConversion conversion = dh_from_arm(*arm, convention_of(request.to));
-  for (const std::string& lost : conversion.lost) {
-    files.diagnostics().warning({request.input, 0, 0},
-                                fmt::format("a D-H table has no place for the {}: left out", lost));
-  }
+std::string table_text(InputFiles& files, const ConversionRequest& request, const ArmModel& arm) {
+  const auto convention =
+      request.to == ArmFormat::dh_classic ? DhConvention::classic : DhConvention::modified;
+  const DhConversion conversion = dh_from_arm(arm, convention);
+  warn_of_losses(files, request.input, "a D-H table", conversion.lost);
   if (!request.as_csv) return dh_text(conversion.table);
   if (!is_identity(conversion.table.base_from_first) ||
       !is_identity(conversion.table.last_from_tool)) {
@@ -96,6 +106,45 @@ std::string convert(InputFiles& files, const ConversionRequest& request,
     files.require_good();
   }
   return dh_csv_text(conversion.table);
+}
+
+}  // namespace
+
+std::vector<std::string> arm_format_names() { return {kFormatNames.begin(), kFormatNames.end()}; }
+
+std::optional<ArmFormat> arm_format(std::string_view name) {
+  const auto found = std::find(kFormatNames.begin(), kFormatNames.end(), name);
+  if (found == kFormatNames.end()) return std::nullopt;
+  return static_cast<ArmFormat>(found - kFormatNames.begin());
+}
+
+std::string convert(InputFiles& files, const ConversionRequest& request,
+                    const TableOptions& options) {
+  const auto arm = read_any(files, request, options);
+  files.require_good();
+  switch (request.to) {
+    case ArmFormat::arm:
+      return arm_text(*arm);
+    case ArmFormat::urdf: {
+      const UrdfText urdf = urdf_text(*arm);
+      warn_of_losses(files, request.input, "a URDF", urdf.lost);
+      return urdf.text;
+    }
+    case ArmFormat::c_header: {
+      const FirmwareText header = c_header_text(*arm);
+      warn_of_losses(files, request.input, "the C header", header.lost);
+      return header.text;
+    }
+    case ArmFormat::csv_line: {
+      const FirmwareText line = csv_line_text(*arm);
+      warn_of_losses(files, request.input, "the line of parameters", line.lost);
+      return line.text;
+    }
+    case ArmFormat::dh_classic:
+    case ArmFormat::dh_modified:
+      break;
+  }
+  return table_text(files, request, *arm);
 }
 
 }  // namespace armcal

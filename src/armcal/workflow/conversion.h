@@ -4,22 +4,26 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "armcal/workflow/input_files.h"
 
 namespace armcal {
 
-/// Descriptions of an arm that convert into each other with the same poses.
-enum class ArmFormat { arm, dh_classic, dh_modified };
+/// Descriptions of an arm with the same poses. The last two are for firmware and only written.
+enum class ArmFormat { arm, dh_classic, dh_modified, urdf, c_header, csv_line };
 
-/// "arm", "dh-classic", "dh-modified"
+/// Names of all formats, in the order above: "arm", "dh-classic", ..
+[[nodiscard]] std::vector<std::string> arm_format_names();
 [[nodiscard]] std::optional<ArmFormat> arm_format(std::string_view name);
 
 struct ConversionRequest {
   std::string input;
   std::optional<ArmFormat> from;  ///< needed for a spreadsheet, which does not tell its convention
   ArmFormat to = ArmFormat::arm;
-  bool as_csv = false;  ///< a D-H table as theta_deg,d_mm,a_mm,alpha_deg
+  bool as_csv = false;                    ///< a D-H table as theta_deg,d_mm,a_mm,alpha_deg
+  std::optional<std::string> chain = {};  ///< of a URDF, "BASE:TIP"; default: root to only leaf
 };
 
 /// Text of the converted description. What the target cannot say is warned of. @throws InputError;

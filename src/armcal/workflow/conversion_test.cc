@@ -9,6 +9,8 @@
 #include "armcal/io/arm_file.h"
 #include "armcal/testing/random_arms.h"
 #include "armcal/testing/reference_data.h"
+#include "armcal/testing/robot_descriptions.h"
+#include "armcal/testing/same_poses.h"
 #include "armcal/testing/temporary_folder.h"
 
 namespace armcal {
@@ -73,6 +75,55 @@ TEST(Conversion, RefusesASpreadsheetForWhatItCannotSay) {
         HasSubstr("a D-H table has no place for the encoder harmonics of joint 1: left out"));
     EXPECT_THAT(error.what(), HasSubstr("write it as *.dh.toml"));
   }
+}
+
+TEST(Conversion, ThroughUrdfAndBackHasTheSamePoses) {
+  for (const auto& entry :
+       std::filesystem::directory_iterator(testing::repository() / "examples/arms")) {
+    const testing::TemporaryFolder folder;
+    InputFiles files;
+    const ArmModel original = files.arm(entry.path().string()).value();
+    InputFiles there;
+    const std::string urdf = convert(there, {entry.path().string(), {}, ArmFormat::urdf}, {});
+    InputFiles back;
+    const std::string path = folder.write("robot.urdf", urdf);
+    testing::expect_same_poses(original, arm_of(convert(back, {path, {}, ArmFormat::arm}, {})));
+    EXPECT_TRUE(back.diagnostics().entries().empty());
+  }
+}
+
+TEST(Conversion, AUrdfBecomesADhTable) {
+  const testing::TemporaryFolder folder;
+  const std::string path = folder.write("panda.urdf", testing::kPandaUrdf);
+  const std::string chain = "panda_link0:panda_link8";
+  InputFiles there;
+  const std::string table = convert(there, {path, {}, ArmFormat::dh_modified, false, chain}, {});
+  EXPECT_THAT(there.diagnostics().to_text(),
+              HasSubstr("a D-H table has no place for the limits of joint 7: left out"));
+  InputFiles back;
+  const std::string again = folder.write("panda.dh.toml", table);
+  InputFiles files;
+  const auto example = testing::repository() / "examples/arms/panda.arm.toml";
+  testing::expect_same_poses(files.arm(example.string()).value(),
+                             arm_of(convert(back, {again, {}, ArmFormat::arm}, {})));
+}
+
+TEST(Conversion, ToldAChainItWantsAUrdf) {
+  const std::string path = (testing::repository() / "examples/arms/ur10.arm.toml").string();
+  InputFiles files;
+  try {
+    static_cast<void>(convert(files, {path, {}, ArmFormat::arm, false, "a:b"}, {}));
+    FAIL() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("is no URDF: --chain has no meaning for it"));
+  }
+}
+
+TEST(Conversion, FormatsAreKnownByTheirNames) {
+  for (const std::string& name : arm_format_names()) EXPECT_TRUE(arm_format(name)) << name;
+  EXPECT_EQ(arm_format("c-header"), ArmFormat::c_header);
+  EXPECT_EQ(arm_format("csv-line"), ArmFormat::csv_line);
+  EXPECT_FALSE(arm_format("sdf"));
 }
 
 }  // namespace
