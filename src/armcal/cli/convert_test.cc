@@ -76,7 +76,7 @@ TEST(ConvertCommand, RefusesOptionsThatCannotHold) {
     std::vector<std::string> line = {"convert", arm};
     line.insert(line.end(), more.begin(), more.end());
     EXPECT_EQ(tool(line).code, kWrongInput);
-    EXPECT_THAT(tool(line).err, HasSubstr("an arm file is no spreadsheet"));
+    EXPECT_THAT(tool(line).err, HasSubstr("is for D-H tables, not for --to arm"));
   }
 }
 

@@ -8,7 +8,8 @@ namespace armcal {
 
 /// Points measured by a reference machine, in its frame: r = R^T (T p(e) - q), T = (R, t) the
 /// unknown pose of the arm's base in that frame (`setup.NAME`). Turning the difference back into
-/// the base frame changes no length, and leaves the arm's columns as they are.
+/// the base frame changes no length, and leaves the arm's columns as they are; derivatives are
+/// those of T p - q, turned alike, so that normal equations are the same as without the turn.
 /// theory/identification.md eq. (5)
 class ReferencePointsResidual : public Residual {
  public:
