@@ -33,14 +33,14 @@ int run_calibrate(const Flags& flags, const Context& context) {
   if (flags.output) {
     ArmModel arm = calibration.arm;
     arm.note = fmt::format("Identified from {} by armcal calibrate.", flags.session);
-    write_file(*flags.output, arm_text(arm), context.overwrite);
+    context.save(*flags.output, arm_text(arm), files.records());
   }
   if (flags.save) {
-    write_file(*flags.save,
-               json_document({context.command, files.records(), loaded.session.estimate.check_seed,
-                              files.diagnostics()},
-                             json),
-               context.overwrite);
+    context.save(*flags.save,
+                 json_document({context.command, files.records(),
+                                loaded.session.estimate.check_seed, files.diagnostics()},
+                               json),
+                 files.records());
   }
   context.emit(files.records(), files.diagnostics(), json, text_result(calibration));
   return kDone;

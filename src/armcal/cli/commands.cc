@@ -11,8 +11,12 @@ std::vector<Command> all_commands() {
           register_command(),
           symmetric_point_command(),
           calibrate_command(),
+          identifiability_command(),
+          predict_command(),
+          probe_command(),
           verify_command(),
-          convert_command()};
+          convert_command(),
+          diff_command()};
 }
 
 }  // namespace armcal::cli

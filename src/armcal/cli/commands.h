@@ -12,8 +12,12 @@ namespace armcal::cli {
 [[nodiscard]] Command calibrate_command();
 [[nodiscard]] Command convert_command();
 [[nodiscard]] Command demo_command();
+[[nodiscard]] Command diff_command();
 [[nodiscard]] Command fit_command();
 [[nodiscard]] Command fk_command();
+[[nodiscard]] Command identifiability_command();
+[[nodiscard]] Command predict_command();
+[[nodiscard]] Command probe_command();
 [[nodiscard]] Command register_command();
 [[nodiscard]] Command symmetric_point_command();
 [[nodiscard]] Command verify_command();

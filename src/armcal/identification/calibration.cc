@@ -61,6 +61,46 @@ class Calibrator {
     return std::move(result_);
   }
 
+  Calibration look() {
+    if (!prepare()) return std::move(result_);
+    const bool scale = knows_scale();
+    if (!scale)
+      result_.unseen.push_back({"the size of the arm", std::string(explain(result_.status)), {}});
+    result_.unknowns = unknowns_.step_size();
+    const EstimationProblem everything(pointers_, unknowns_, priors(unknowns_));
+    choice_ =
+        choose_unknowns(triangular_factor(everything, x_, options_.monitor), unknowns_, options_);
+    result_.rank = static_cast<int>(choice_.kept.size()) - (scale ? 0 : 1);
+    result_.condition_number = choice_.condition_number;
+    result_.unseen.insert(result_.unseen.end(), held_for_scale_.begin(), held_for_scale_.end());
+    result_.unseen.insert(result_.unseen.end(), choice_.unseen.begin(), choice_.unseen.end());
+    for (int i = 0; i < table_.size(); ++i) {
+      CalibratedParameter each{table_[i].name,
+                               table_[i].unit,
+                               table_[i].nominal,
+                               table_[i].nominal,
+                               0.0,
+                               ParameterStatus::held,
+                               0.0,
+                               ""};
+      for (std::size_t k = 0; k < choice_.kept.size(); ++k) {
+        const int column = choice_.kept[k];
+        if (column >= unknowns_.arm_size() ||
+            unknowns_.free()[static_cast<std::size_t>(column)] != i)
+          continue;
+        const double u = choice_.factor.row(static_cast<Eigen::Index>(k)).norm();
+        const auto prior = prior_u(table_[i], options_);
+        each.u = u;
+        each.status = prior ? ParameterStatus::prior : ParameterStatus::free;
+        each.data_share = prior ? std::clamp(1.0 - u * u / (*prior * *prior), 0.0, 1.0) : 1.0;
+      }
+      if (each.status == ParameterStatus::held) each.reason = reason_for(each.name);
+      result_.parameters.push_back(std::move(each));
+    }
+    result_.status = CalibrationStatus::converged;
+    return std::move(result_);
+  }
+
  private:
   std::vector<int> wanted() {
     std::vector<int> free;
@@ -213,7 +253,10 @@ class Calibrator {
     result_.unseen = held_for_scale_;
     result_.unseen.insert(result_.unseen.end(), choice_.unseen.begin(), choice_.unseen.end());
     const EstimationProblem problem(pointers_, unknowns_, {});
-    result_.chi_squared = residuals_at(problem, x_).squaredNorm();
+    // A robust loss keeps rows that do not belong to the others from widening everything.
+    result_.chi_squared = options_.loss == RobustLoss::none
+                              ? residuals_at(problem, x_).squaredNorm()
+                              : solution_.cost;
     Eigen::Index rows = 0;
     for (const Residual* residual : pointers_)
       rows += residual->count() * residual->rows_per_observation();
@@ -353,6 +396,11 @@ std::string_view explain(CalibrationStatus status) {
       return "the identification did not converge";
   }
   return "unknown";
+}
+
+Calibration identifiability(const ArmModel& nominal, std::span<const ObservationGroup> groups,
+                            const CalibrationOptions& options) {
+  return Calibrator(nominal, groups, options).look();
 }
 
 Calibration calibrate(const ArmModel& nominal, std::span<const ObservationGroup> groups,

@@ -145,6 +145,13 @@ struct Calibration {
                                     std::span<const ObservationGroup> groups,
                                     const CalibrationOptions& options);
 
+/// What a session would determine, before anything is fitted: the same choice of unknowns at the
+/// nominal arm, with the standard uncertainties that the stated ones of the readings promise.
+/// Values are nominal.
+[[nodiscard]] Calibration identifiability(const ArmModel& nominal,
+                                          std::span<const ObservationGroup> groups,
+                                          const CalibrationOptions& options);
+
 /// Standard uncertainty of the tip at a posture (rows and columns x y z, mm^2), from the covariance
 /// of the free parameters of `arm`.
 [[nodiscard]] Eigen::Matrix3d tip_covariance(const ArmModel& arm, const std::vector<int>& free,

@@ -107,6 +107,8 @@ ChoiceOfUnknowns choose_unknowns(const Eigen::MatrixXd& r, const Unknowns& unkno
       continue;
     }
     choice.condition_number = analysis.condition_number;
+    choice.kept = kept;
+    choice.factor = inverse_factor(columns_of(r, kept)).value_or(Eigen::MatrixXd());
     for (const DependentColumn& dependent : analysis.dependent) {
       UnseenDirection unseen;
       unseen.held = names[static_cast<std::size_t>(dependent.column)];

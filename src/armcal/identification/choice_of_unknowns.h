@@ -17,6 +17,8 @@ struct ChoiceOfUnknowns {
       held_steps;  ///< nuisance unknowns that are held, places among the unknowns of the problem
   std::vector<UnseenDirection> unseen;
   double condition_number = 1.0;
+  std::vector<int> kept;   ///< places among the unknowns of the problem, most wanted first
+  Eigen::MatrixXd factor;  ///< of their covariance, rows as `kept`; empty where it cannot be had
 };
 
 /// By rank analysis of the triangular factor of the whole Jacobian; columns in order of wish: what

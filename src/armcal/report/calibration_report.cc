@@ -230,4 +230,38 @@ std::string text_result(const Calibration& calibration) {
   return text;
 }
 
+Json json_of_identifiability(const Calibration& look) {
+  Json json;
+  json["arm_name"] = look.nominal.name;
+  json["parameters"] = json_of_parameters(look);
+  json["rank"] = look.rank;
+  json["unknowns"] = look.unknowns;
+  json["condition_number"] = json_number(look.condition_number);
+  json["null_space"] = json_of_null_space(look);
+  return json;
+}
+
+std::string text_of_identifiability(const Calibration& look) {
+  std::string text = fmt::format("What the readings determine of {} ({} joints)\n\n",
+                                 look.nominal.name, look.nominal.joint_count());
+  text += fmt::format("{} of {} unknowns, condition number {:.3g}\n", look.rank, look.unknowns,
+                      look.condition_number);
+  TextTable table({{"parameter", Align::left},
+                   {"nominal"},
+                   {"u"},
+                   {"unit", Align::left},
+                   {"status", Align::left}});
+  for (const CalibratedParameter& each : look.parameters) {
+    if (each.status == ParameterStatus::held) continue;
+    const auto [factor, unit] = shown(each);
+    const int decimals = decimals_for_uncertainty(factor * each.u);
+    std::string status(to_string(each.status));
+    if (each.status == ParameterStatus::prior)
+      status += fmt::format(", data {:.0f} %", 100.0 * each.data_share);
+    table.add_row({each.name, fixed(factor * each.nominal, decimals),
+                   fixed(factor * each.u, decimals), unit, status});
+  }
+  return text + table.text() + unseen_text(look);
+}
+
 }  // namespace armcal

@@ -16,4 +16,8 @@ namespace armcal {
 /// A report that can be pasted into a mail.
 [[nodiscard]] std::string text_result(const Calibration& calibration);
 
+/// The same for what a session would determine: no values, no residuals.
+[[nodiscard]] Json json_of_identifiability(const Calibration& look);
+[[nodiscard]] std::string text_of_identifiability(const Calibration& look);
+
 }  // namespace armcal

@@ -110,6 +110,13 @@ LoadedSession load_session(InputFiles& files, const std::string& path) {
   return loaded;
 }
 
+Calibration look_at_session(const LoadedSession& loaded) {
+  Calibration look = identifiability(loaded.arm, loaded.groups, loaded.options);
+  if (look.ok()) return look;
+  throw NumericalError(fmt::format("{}: {}", loaded.session.file,
+                                   look.detail.empty() ? explain(look.status) : look.detail));
+}
+
 Calibration run_calibration(const LoadedSession& loaded) {
   Calibration calibration = calibrate(loaded.arm, loaded.groups, loaded.options);
   if (calibration.ok()) return calibration;

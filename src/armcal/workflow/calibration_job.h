@@ -27,4 +27,8 @@ struct LoadedSession {
 /// @throws NumericalError where the readings cannot give a calibration, with the reason
 [[nodiscard]] Calibration run_calibration(const LoadedSession& loaded);
 
+/// What the session would determine, at its nominal arm. @throws NumericalError where a frame
+/// cannot be placed
+[[nodiscard]] Calibration look_at_session(const LoadedSession& loaded);
+
 }  // namespace armcal

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: the armcal authors
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "armcal/cli/commands.h"
+#include "armcal/cli/table_flags.h"
+#include "armcal/io/arm_file.h"
+#include "armcal/report/calibration_report.h"
+#include "armcal/workflow/probe_job.h"
+
+namespace armcal::cli {
+namespace {
+
+struct Flags {
+  ProbeRequest request;
+  std::optional<double> u_mm, tip_diameter_mm;
+  std::optional<std::string> output;
+  TableFlags table;
+};
+
+int run_probe_command(const Flags& flags, const Context& context) {
+  if (flags.output) check_may_write(*flags.output, context.overwrite);
+  ProbeRequest request = flags.request;
+  request.u_mm = flags.u_mm.value_or(request.u_mm);
+  request.tip_diameter_mm = flags.tip_diameter_mm.value_or(0.0);
+  InputFiles files(context.monitor);
+  const Calibration calibration = run_probe(files, request, flags.table.options());
+  Json json = json_result(calibration);
+  json["arm"] = arm_text(calibration.arm);
+  if (flags.output) context.save(*flags.output, arm_text(calibration.arm), files.records());
+  context.emit(files.records(), files.diagnostics(), json, text_result(calibration));
+  return kDone;
+}
+
+}  // namespace
+
+Command probe_command() {
+  const auto flags = std::make_shared<Flags>();
+  Command command;
+  command.name = "probe";
+  command.brief = "the tip of an arm alone, for a new stylus: from a cone or a sphere";
+  command.description =
+      "Reads joint angles with the new stylus in one cone or seat (or, with --sphere-diameter, on "
+      "a sphere) in many\n"
+      "postures, and finds the tip; everything else of the arm stays.";
+  command.arguments = joined(
+      {{"ARM", "arm file (*.arm.toml)", &flags->request.arm},
+       {"READINGS.csv", "table of joint angles; - for standard input", &flags->request.readings},
+       {"--sphere-diameter", "the points lie on a sphere of this certified diameter, mm",
+        &flags->request.sphere_diameter_mm, "MM"},
+       {"--tip-diameter", "diameter of the stylus ball, mm, with --sphere-diameter",
+        &flags->tip_diameter_mm, "MM"},
+       {"--u", "standard uncertainty of a tip, mm; 0.02 if not given", &flags->u_mm, "MM"},
+       {"-o,--output", "write the arm with its new tip here", &flags->output, "ARM"}},
+      flags->table.for_angles());
+  command.examples = {
+      "armcal probe examples/arms/romer-infinite-2.0.arm.toml "
+      "examples/sphere/five-articulations.csv "
+      "--sphere-diameter 15.8754 --tip-diameter 6"};
+  command.run = [flags](const Context& context) { return run_probe_command(*flags, context); };
+  return command;
+}
+
+}  // namespace armcal::cli
