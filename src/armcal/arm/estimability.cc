@@ -57,6 +57,20 @@ std::vector<int> wanted_order(const ArmModel& arm, const ParameterTable& table) 
   return order;
 }
 
+std::optional<std::string> held_by_convention(const ArmModel& arm, const Parameter& parameter) {
+  if (parameter.kind == ParameterKind::zero && parameter.joint == 1) {
+    return "by convention: it only turns the base frame";
+  }
+  if (parameter.kind == ParameterKind::d && parameter.joint == 2) {
+    return "by convention: it only shifts the base frame";
+  }
+  const bool stray_beta =
+      parameter.kind == ParameterKind::beta &&
+      !is_nearly_parallel(arm.links[static_cast<std::size_t>(parameter.joint - 2)]);
+  if (stray_beta) return "by convention: beta is for nearly parallel axes";
+  return std::nullopt;
+}
+
 std::string describe(const DependentColumn& dependent, const RankAnalysis& analysis,
                      const std::vector<std::string>& names) {
   // Weights in the same units compare; what is below a thousandth of the largest is left out.

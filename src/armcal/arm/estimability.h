@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,12 @@ namespace armcal {
 /// axes are within 10 deg of parallel beta is wanted and b and d are not (Hayati).
 /// theory/kinematics.md, "What can be identified".
 [[nodiscard]] std::vector<int> wanted_order(const ArmModel& arm, const ParameterTable& table);
+
+/// Why a parameter is not asked for unless the user insists, whatever the readings: zero1 and d2
+/// only move the base frame, and beta is for axes within 10 deg of parallel. Nothing for all
+/// others.
+[[nodiscard]] std::optional<std::string> held_by_convention(const ArmModel& arm,
+                                                            const Parameter& parameter);
 
 /// A column that the data cannot tell from others, in words: "zero6 moves every reading like a7 and
 /// b7".

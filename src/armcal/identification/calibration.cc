@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "armcal/arm/estimability.h"
 #include "armcal/arm/forward_kinematics.h"
 #include "armcal/core/spelling.h"
 #include "armcal/identification/check_rows.h"
@@ -49,8 +50,9 @@ class Calibrator {
              const CalibrationOptions& options)
       : groups_(groups),
         options_(options),
-        table_(with_harmonics(nominal, options.harmonics)),
-        unknowns_(with_harmonics(nominal, options.harmonics), wanted()) {
+        nominal_(with_harmonics(nominal, options.harmonics)),
+        table_(nominal_),
+        unknowns_(nominal_, wanted()) {
     result_.nominal = unknowns_.nominal();
     result_.arm = unknowns_.nominal();
   }
@@ -63,16 +65,13 @@ class Calibrator {
 
   Calibration look() {
     if (!prepare()) return std::move(result_);
-    const bool scale = knows_scale();
-    if (!scale)
-      result_.unseen.push_back({"the size of the arm", std::string(explain(result_.status)), {}});
+    static_cast<void>(knows_scale());
     result_.unknowns = unknowns_.step_size();
     const EstimationProblem everything(pointers_, unknowns_, priors(unknowns_));
-    choice_ =
-        choose_unknowns(triangular_factor(everything, x_, options_.monitor), unknowns_, options_);
-    result_.rank = static_cast<int>(choice_.kept.size()) - (scale ? 0 : 1);
+    choice_ = choose_unknowns(triangular_factor(everything, x_, options_.monitor), unknowns_,
+                              options_, scale_is_known_);
+    result_.rank = static_cast<int>(choice_.kept.size());
     result_.condition_number = choice_.condition_number;
-    result_.unseen.insert(result_.unseen.end(), held_for_scale_.begin(), held_for_scale_.end());
     result_.unseen.insert(result_.unseen.end(), choice_.unseen.begin(), choice_.unseen.end());
     for (int i = 0; i < table_.size(); ++i) {
       CalibratedParameter each{table_[i].name,
@@ -105,7 +104,8 @@ class Calibrator {
   std::vector<int> wanted() {
     std::vector<int> free;
     for (int i = 0; i < table_.size(); ++i) {
-      if (!is_held_by_user(table_[i].name, options_.hold)) free.push_back(i);
+      if (is_held_by_user(table_[i].name, options_.hold)) continue;
+      if (!held_by_convention(nominal_, table_[i])) free.push_back(i);
     }
     return free;
   }
@@ -153,27 +153,15 @@ class Calibrator {
     for (const Residual* residual : pointers_) {
       if (residual->knows_scale()) return true;
     }
-    int longest = -1;
     for (int i = 0; i < table_.size(); ++i) {
       const Parameter& parameter = table_[i];
-      if (parameter.unit != ParameterUnit::mm) continue;
-      const bool is_free =
-          std::find(unknowns_.free().begin(), unknowns_.free().end(), i) != unknowns_.free().end();
-      const bool is_known = parameter.nominal != 0.0 && (!is_free || prior_u(parameter, options_));
-      if (is_known) return true;
-      if (longest < 0 || std::abs(parameter.nominal) > std::abs(table_[longest].nominal))
-        longest = i;
+      if (parameter.unit != ParameterUnit::mm || held_by_convention(nominal_, parameter)) continue;
+      const auto& free = unknowns_.free();
+      const bool is_free = std::find(free.begin(), free.end(), i) != free.end();
+      if (parameter.nominal != 0.0 && (!is_free || prior_u(parameter, options_))) return true;
     }
-    if (!options_.allow_rank_deficient) return fail(CalibrationStatus::scale_unknown);
-    std::vector<int> free = unknowns_.free();
-    std::erase(free, longest);
-    use(unknowns_.with_free(std::move(free)));
-    held_for_scale_.push_back(
-        {table_[longest].name,
-         fmt::format("no reading knows how long a millimetre is: {} held, the longest",
-                     table_[longest].name),
-         {}});
-    return true;
+    scale_is_known_ = false;
+    return options_.allow_rank_deficient || fail(CalibrationStatus::scale_unknown);
   }
 
   void use(Unknowns next) {
@@ -212,8 +200,8 @@ class Calibrator {
     for (int round = 0; round < kRounds; ++round) {
       const Eigen::VectorXd here = all.state_from(unknowns_, x_);
       const EstimationProblem everything(pointers_, all, priors(all));
-      const ChoiceOfUnknowns next =
-          choose_unknowns(triangular_factor(everything, here, options_.monitor), all, options_);
+      const ChoiceOfUnknowns next = choose_unknowns(
+          triangular_factor(everything, here, options_.monitor), all, options_, scale_is_known_);
       const bool settled = round > 0 && next.free == choice_.free &&
                            next.held_steps.size() == choice_.held_steps.size();
       if (settled) return true;
@@ -233,6 +221,7 @@ class Calibrator {
     LeastSquaresOptions options;
     options.loss = options_.loss;
     options.threads = options_.threads;
+    options.residual_resolution = residual_resolution(pointers_, reach_mm(nominal_));
     options.monitor = options_.monitor;
     solution_ = solve_least_squares(problem, x_, options);
     active_ = problem.active();
@@ -250,8 +239,7 @@ class Calibrator {
     result_.free = unknowns_.free();
     result_.rank = static_cast<int>(active_.size());
     result_.condition_number = choice_.condition_number;
-    result_.unseen = held_for_scale_;
-    result_.unseen.insert(result_.unseen.end(), choice_.unseen.begin(), choice_.unseen.end());
+    result_.unseen = choice_.unseen;
     const EstimationProblem problem(pointers_, unknowns_, {});
     // A robust loss keeps rows that do not belong to the others from widening everything.
     result_.chi_squared = options_.loss == RobustLoss::none
@@ -309,6 +297,10 @@ class Calibrator {
     for (const UnseenDirection& unseen : result_.unseen) {
       if (unseen.held == name) return unseen.description;
     }
+    for (int i = 0; i < table_.size(); ++i) {
+      if (table_[i].name != name || is_held_by_user(name, options_.hold)) continue;
+      if (const auto convention = held_by_convention(nominal_, table_[i])) return *convention;
+    }
     return "held by the user";
   }
 
@@ -363,6 +355,7 @@ class Calibrator {
 
   std::span<const ObservationGroup> groups_;
   const CalibrationOptions& options_;
+  ArmModel nominal_;
   ParameterTable table_;
   Unknowns unknowns_;
   Calibration result_;
@@ -371,7 +364,7 @@ class Calibrator {
   Eigen::VectorXd x_;
   ChoiceOfUnknowns choice_;
   std::vector<int> held_steps_;
-  std::vector<UnseenDirection> held_for_scale_;
+  bool scale_is_known_ = true;
   LeastSquaresSolution solution_;
   std::vector<int> active_;
 };

@@ -80,10 +80,25 @@ Weakest weakest_of(const Eigen::MatrixXd& kept, const std::vector<int>& columns,
   return {};
 }
 
+// Column of the kept length with the largest nominal value, or -1.
+int longest_length(const std::vector<int>& kept, const Unknowns& unknowns,
+                   const ParameterTable& table) {
+  int longest = -1;
+  double length = 0.0;
+  for (const int column : kept) {
+    if (column >= unknowns.arm_size()) continue;
+    const Parameter& parameter = table[unknowns.free()[static_cast<std::size_t>(column)]];
+    if (parameter.unit != ParameterUnit::mm || std::abs(parameter.nominal) <= length) continue;
+    longest = column;
+    length = std::abs(parameter.nominal);
+  }
+  return longest;
+}
+
 }  // namespace
 
 ChoiceOfUnknowns choose_unknowns(const Eigen::MatrixXd& r, const Unknowns& unknowns,
-                                 const CalibrationOptions& options) {
+                                 const CalibrationOptions& options, bool scale_is_known) {
   const ParameterTable table(unknowns.nominal());
   const std::vector<std::string> all_names = unknowns.names();
   std::vector<int> wanted = order_of_wish(unknowns);
@@ -98,6 +113,28 @@ ChoiceOfUnknowns choose_unknowns(const Eigen::MatrixXd& r, const Unknowns& unkno
     const RankAnalysis analysis = analyse_rank(columns_of(r, wanted), order, kRankTolerance);
     std::vector<int> kept;
     for (const int place : analysis.basis) kept.push_back(wanted[static_cast<std::size_t>(place)]);
+    if (!scale_is_known) {
+      // What depends on the longest length must not take its place once it is held.
+      for (const DependentColumn& dependent : analysis.dependent) {
+        const std::size_t place = static_cast<std::size_t>(dependent.column);
+        choice.unseen.push_back({names[place], describe(dependent, analysis, names), {}});
+      }
+      std::erase_if(wanted, [&](int column) {
+        return std::find(kept.begin(), kept.end(), column) == kept.end();
+      });
+      const int longest = longest_length(kept, unknowns, table);
+      if (longest >= 0) {
+        const std::string& name = all_names[static_cast<std::size_t>(longest)];
+        choice.unseen.insert(
+            choice.unseen.begin(),
+            {name,
+             fmt::format("no reading knows how long a millimetre is: {} held, the longest", name),
+             {}});
+        std::erase(wanted, longest);
+      }
+      scale_is_known = true;
+      continue;
+    }
     const Weakest weakest = weakest_of(columns_of(r, kept), kept, unknowns, table, options);
     if (weakest.place >= 0) {
       const int column = kept[static_cast<std::size_t>(weakest.place)];

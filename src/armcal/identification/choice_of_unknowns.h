@@ -24,7 +24,10 @@ struct ChoiceOfUnknowns {
 /// By rank analysis of the triangular factor of the whole Jacobian; columns in order of wish: what
 /// observations bring along, then `wanted_order` of the arm.
 /// @param r  triangular_factor of the problem in all unknowns
+/// @param scale_is_known  false: no reading knows how long a millimetre is, so the longest length
+/// is held
 [[nodiscard]] ChoiceOfUnknowns choose_unknowns(const Eigen::MatrixXd& r, const Unknowns& unknowns,
-                                               const CalibrationOptions& options);
+                                               const CalibrationOptions& options,
+                                               bool scale_is_known = true);
 
 }  // namespace armcal

@@ -3,6 +3,7 @@
 #include "armcal/identification/estimation_problem.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 namespace armcal {
@@ -159,6 +160,15 @@ Eigen::VectorXd EstimationProblem::moved(const Eigen::VectorXd& x,
     whole(active_[i]) = step(static_cast<Eigen::Index>(i));
   }
   return unknowns_.moved(x, whole);
+}
+
+double residual_resolution(const std::vector<const Residual*>& residuals, double reach_mm) {
+  double smallest_u = std::numeric_limits<double>::infinity();
+  for (const Residual* residual : residuals) {
+    for (Eigen::Index i = 0; i < residual->count(); ++i)
+      smallest_u = std::min(smallest_u, residual->u_mm(i));
+  }
+  return 16.0 * std::numeric_limits<double>::epsilon() * reach_mm / smallest_u;
 }
 
 }  // namespace armcal

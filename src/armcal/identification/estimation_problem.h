@@ -65,4 +65,9 @@ class EstimationProblem : public LeastSquaresProblem {
   std::vector<Block> blocks_;
 };
 
+/// Rounding of a residual over its uncertainty: tips are computed to some units in the last place
+/// of the reach.
+[[nodiscard]] double residual_resolution(const std::vector<const Residual*>& residuals,
+                                         double reach_mm);
+
 }  // namespace armcal
