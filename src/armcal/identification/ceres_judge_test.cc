@@ -108,8 +108,8 @@ ObservationGroup fixed_point(const std::string& name, const Vector3d& seat_mm, i
   return group;
 }
 
-Simulation one_setup() {
-  RandomStream random(101);
+Simulation one_setup(std::uint64_t draw) {
+  RandomStream random(draw);
   Simulation simulation{testing::nominal_romer(), {}, {}};
   simulation.truth = with_errors(simulation.nominal, random);
   for (const std::size_t joint : {1U, 2U, 3U}) {
@@ -120,8 +120,8 @@ Simulation one_setup() {
   return simulation;
 }
 
-Simulation seats_and_a_length() {
-  RandomStream random(102);
+Simulation seats_and_a_length(std::uint64_t draw) {
+  RandomStream random(draw);
   Simulation simulation{testing::nominal_romer(), {}, {}};
   simulation.truth = with_errors(simulation.nominal, random);
   const ForwardKinematics arm(simulation.truth);
@@ -139,8 +139,8 @@ Simulation seats_and_a_length() {
   return simulation;
 }
 
-Simulation three_setups_of_seven_joints() {
-  RandomStream random(103);
+Simulation three_setups_of_seven_joints(std::uint64_t draw) {
+  RandomStream random(draw);
   Simulation simulation;
   simulation.nominal = testing::random_arm(
       7, random, {.arbitrary_twists = false, .beta = false, .harmonics = 0, .mount = true});
@@ -414,15 +414,26 @@ TEST(CeresJudge, agrees_on_an_arm_with_harmonics_on_reference_points_in_one_set_
   CalibrationOptions options;
   options.harmonics = 1;
   options.hold = {"cos1_1", "sin1_1", "cos1_5", "sin1_5", "cos1_6", "sin1_6"};
-  expect_the_judge_agrees(one_setup(), options, 27);
+  for (const std::uint64_t draw : {101U, 1101U}) {
+    SCOPED_TRACE(draw);
+    expect_the_judge_agrees(one_setup(draw), options, 27);
+  }
 }
 
 TEST(CeresJudge, agrees_on_fixed_points_and_one_length) {
-  expect_the_judge_agrees(seats_and_a_length(), {}, 21);
+  // The second: tips that miss their seats by the noise let a turn of the base count as seen.
+  for (const std::uint64_t draw : {102U, 5102U}) {
+    SCOPED_TRACE(draw);
+    expect_the_judge_agrees(seats_and_a_length(draw), {}, 21);
+  }
 }
 
 TEST(CeresJudge, agrees_on_a_seven_joint_arm_in_three_set_ups) {
-  expect_the_judge_agrees(three_setups_of_seven_joints(), {}, 25);
+  // The last two: the identification took rounding for a failed step, and ended without a result.
+  for (const std::uint64_t draw : {103U, 14103U, 38103U}) {
+    SCOPED_TRACE(draw);
+    expect_the_judge_agrees(three_setups_of_seven_joints(draw), {}, 25);
+  }
 }
 
 }  // namespace

@@ -32,6 +32,7 @@ std::optional<Eigen::VectorXd> found_anew(const std::vector<std::unique_ptr<Resi
   if (problem.unknown_count() == 0) return x;
   LeastSquaresOptions options;
   options.monitor = monitor;
+  options.residual_resolution = problem.residual_resolution();
   const LeastSquaresSolution solution = solve_least_squares(problem, x, options);
   if (solution.termination != Termination::converged) return std::nullopt;
   return solution.x;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "armcal/arm/estimability.h"
 #include "armcal/core/units.h"
@@ -32,15 +33,34 @@ std::string too_weak(const Parameter& parameter, double u) {
                      is_length ? "mm" : "deg");
 }
 
-std::vector<int> order_of_wish(const Unknowns& unknowns) {
+// Whether a parameter only moves the base frame: a turn about the first axis or a shift along it,
+// which whatever the readings bring along can undo. It is held, unless the user knows something of
+// it.
+bool is_convention(const Parameter& parameter, const CalibrationOptions& options) {
+  const bool turns = parameter.kind == ParameterKind::zero && parameter.joint == 1;
+  const bool shifts = parameter.kind == ParameterKind::d && parameter.joint == 2;
+  const auto& prior = turns ? options.prior_zero_rad : options.prior_length_mm;
+  return (turns || shifts) && !prior && !options.prior_of.contains(parameter.name);
+}
+
+// What observations bring along, conventions, then the rest of the arm. Conventions stand before
+// what moves readings like them, although they are held: where tips miss their fixed points a turn
+// of both is not undone to the last digit, and by what is left of it a turn of the base would count
+// as seen.
+std::vector<int> order_of_wish(const Unknowns& unknowns, const CalibrationOptions& options) {
   std::vector<int> order;
   for (int i = unknowns.arm_size(); i < unknowns.step_size(); ++i) order.push_back(i);
   const ParameterTable table(unknowns.nominal());
   const auto& free = unknowns.free();
+  const std::size_t conventions = order.size();
   for (const int index : wanted_order(unknowns.nominal(), table)) {
     const auto at = std::find(free.begin(), free.end(), index);
     if (at != free.end()) order.push_back(static_cast<int>(at - free.begin()));
   }
+  std::stable_partition(
+      order.begin() + static_cast<std::ptrdiff_t>(conventions), order.end(), [&](int column) {
+        return is_convention(table[free[static_cast<std::size_t>(column)]], options);
+      });
   return order;
 }
 
@@ -50,6 +70,12 @@ Eigen::MatrixXd columns_of(const Eigen::MatrixXd& matrix, const std::vector<int>
     picked.col(static_cast<Eigen::Index>(i)) = matrix.col(columns[i]);
   }
   return picked;
+}
+
+double condition_number_of(const Eigen::MatrixXd& kept) {
+  std::vector<int> order(static_cast<std::size_t>(kept.cols()));
+  std::iota(order.begin(), order.end(), 0);
+  return analyse_rank(kept, order, kRankTolerance).condition_number;
 }
 
 // A free parameter that is known too badly to be of use: of those nearly as bad as the worst (they
@@ -86,18 +112,24 @@ ChoiceOfUnknowns choose_unknowns(const Eigen::MatrixXd& r, const Unknowns& unkno
                                  const CalibrationOptions& options) {
   const ParameterTable table(unknowns.nominal());
   const std::vector<std::string> all_names = unknowns.names();
-  std::vector<int> wanted = order_of_wish(unknowns);
+  std::vector<int> wanted = order_of_wish(unknowns, options);
+  const auto is_held_by_convention = [&](int column) {
+    return column < unknowns.arm_size() &&
+           is_convention(table[unknowns.free()[static_cast<std::size_t>(column)]], options);
+  };
   ChoiceOfUnknowns choice;
   for (;;) {
     std::vector<int> order(wanted.size());
+    std::iota(order.begin(), order.end(), 0);
     std::vector<std::string> names;
-    for (std::size_t i = 0; i < wanted.size(); ++i) {
-      order[i] = static_cast<int>(i);
-      names.push_back(all_names[static_cast<std::size_t>(wanted[i])]);
-    }
+    for (const int column : wanted) names.push_back(all_names[static_cast<std::size_t>(column)]);
     const RankAnalysis analysis = analyse_rank(columns_of(r, wanted), order, kRankTolerance);
     std::vector<int> kept;
-    for (const int place : analysis.basis) kept.push_back(wanted[static_cast<std::size_t>(place)]);
+    std::vector<int> held_by_convention;
+    for (const int place : analysis.basis) {
+      const int column = wanted[static_cast<std::size_t>(place)];
+      (is_held_by_convention(column) ? held_by_convention : kept).push_back(column);
+    }
     const Weakest weakest = weakest_of(columns_of(r, kept), kept, unknowns, table, options);
     if (weakest.place >= 0) {
       const int column = kept[static_cast<std::size_t>(weakest.place)];
@@ -106,7 +138,11 @@ ChoiceOfUnknowns choose_unknowns(const Eigen::MatrixXd& r, const Unknowns& unkno
       std::erase(wanted, column);
       continue;
     }
-    choice.condition_number = analysis.condition_number;
+    choice.condition_number = condition_number_of(columns_of(r, kept));
+    for (const int column : held_by_convention) {
+      const std::string& name = all_names[static_cast<std::size_t>(column)];
+      choice.unseen.push_back({name, fmt::format("{} only moves the frame of the base", name), {}});
+    }
     for (const DependentColumn& dependent : analysis.dependent) {
       UnseenDirection unseen;
       unseen.held = names[static_cast<std::size_t>(dependent.column)];

@@ -3,6 +3,7 @@
 #include "armcal/identification/estimation_problem.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 namespace armcal {
@@ -136,6 +137,24 @@ std::size_t EstimationProblem::layout_of(const Residual& residual) {
   if (same != layouts_.end()) return static_cast<std::size_t>(same - layouts_.begin());
   layouts_.push_back(std::move(layout));
   return layouts_.size() - 1;
+}
+
+double EstimationProblem::residual_resolution() const {
+  // A coordinate is a sum of tens of rounded products, whose errors partly cancel.
+  constexpr double kRounding = 4.0 * std::numeric_limits<double>::epsilon();
+  const ArmModel& arm = unknowns_.nominal();
+  const double reach = reach_mm(arm) + arm.base_from_first_joint.translation_mm.norm();
+  double resolution = 0.0;
+  for (const Block& block : blocks_) {
+    if (block.residual == nullptr) continue;
+    const Eigen::Matrix3Xd& reference_mm = block.residual->group().reference_mm;
+    for (Eigen::Index i = block.first; i < block.first + block.count; ++i) {
+      const double away =
+          reference_mm.cols() > 0 ? reference_mm.col(block.residual->row(i)).norm() : 0.0;
+      resolution = std::max(resolution, kRounding * (reach + away) / block.residual->u_mm(i));
+    }
+  }
+  return resolution;
 }
 
 LeastSquaresProblem::BlockShape EstimationProblem::shape(int index) const {

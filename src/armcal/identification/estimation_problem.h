@@ -34,6 +34,10 @@ class EstimationProblem : public LeastSquaresProblem {
   [[nodiscard]] Eigen::VectorXd moved(const Eigen::VectorXd& x,
                                       const Eigen::VectorXd& step) const override;
 
+  /// What rounding does to a residual: coordinates as large as the arm and what it is measured
+  /// against, in units of the finest uncertainty. For LeastSquaresOptions::residual_resolution.
+  [[nodiscard]] double residual_resolution() const;
+
   /// Places, among all unknowns, of those that move.
   [[nodiscard]] const std::vector<int>& active() const { return active_; }
 
