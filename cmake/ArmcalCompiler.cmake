@@ -37,6 +37,9 @@ if(ARMCAL_SANITIZERS)
     # Instrumented code makes GCC guess wrong here; the Release build keeps this warning.
     $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   target_link_options(armcal_compiler INTERFACE -fsanitize=address,undefined)
+  # Where Eigen sees AddressSanitizer it shifts what it allocates; libraries that were compiled without (Ceres) do
+  # not, and free what we allocate. Memory is aligned as it comes.
+  target_compile_definitions(armcal_compiler INTERFACE EIGEN_MALLOC_ALREADY_ALIGNED=1)
 endif()
 if(ARMCAL_FUZZERS)
   # The fuzzer steers by the branches that an input takes.

@@ -220,8 +220,8 @@ class Calibrator {
     if (problem.unknown_count() == 0) return fail(CalibrationStatus::nothing_determined);
     LeastSquaresOptions options;
     options.loss = options_.loss;
+    options.residual_resolution = problem.residual_resolution();
     options.threads = options_.threads;
-    options.residual_resolution = residual_resolution(pointers_, reach_mm(nominal_));
     options.monitor = options_.monitor;
     solution_ = solve_least_squares(problem, x_, options);
     active_ = problem.active();

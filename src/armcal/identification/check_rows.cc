@@ -31,8 +31,8 @@ std::optional<Eigen::VectorXd> found_anew(const std::vector<std::unique_ptr<Resi
   const EstimationProblem problem(placing, unknowns, {}, held);
   if (problem.unknown_count() == 0) return x;
   LeastSquaresOptions options;
-  options.residual_resolution = residual_resolution(placing, reach_mm(arm));
   options.monitor = monitor;
+  options.residual_resolution = problem.residual_resolution();
   const LeastSquaresSolution solution = solve_least_squares(problem, x, options);
   if (solution.termination != Termination::converged) return std::nullopt;
   return solution.x;

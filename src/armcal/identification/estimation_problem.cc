@@ -139,6 +139,24 @@ std::size_t EstimationProblem::layout_of(const Residual& residual) {
   return layouts_.size() - 1;
 }
 
+double EstimationProblem::residual_resolution() const {
+  // A coordinate is a sum of tens of rounded products, whose errors partly cancel.
+  constexpr double kRounding = 4.0 * std::numeric_limits<double>::epsilon();
+  const ArmModel& arm = unknowns_.nominal();
+  const double reach = reach_mm(arm) + arm.base_from_first_joint.translation_mm.norm();
+  double resolution = 0.0;
+  for (const Block& block : blocks_) {
+    if (block.residual == nullptr) continue;
+    const Eigen::Matrix3Xd& reference_mm = block.residual->group().reference_mm;
+    for (Eigen::Index i = block.first; i < block.first + block.count; ++i) {
+      const double away =
+          reference_mm.cols() > 0 ? reference_mm.col(block.residual->row(i)).norm() : 0.0;
+      resolution = std::max(resolution, kRounding * (reach + away) / block.residual->u_mm(i));
+    }
+  }
+  return resolution;
+}
+
 LeastSquaresProblem::BlockShape EstimationProblem::shape(int index) const {
   const Block& block = blocks_[static_cast<std::size_t>(index)];
   const Eigen::Index per_observation =
@@ -160,15 +178,6 @@ Eigen::VectorXd EstimationProblem::moved(const Eigen::VectorXd& x,
     whole(active_[i]) = step(static_cast<Eigen::Index>(i));
   }
   return unknowns_.moved(x, whole);
-}
-
-double residual_resolution(const std::vector<const Residual*>& residuals, double reach_mm) {
-  double smallest_u = std::numeric_limits<double>::infinity();
-  for (const Residual* residual : residuals) {
-    for (Eigen::Index i = 0; i < residual->count(); ++i)
-      smallest_u = std::min(smallest_u, residual->u_mm(i));
-  }
-  return 16.0 * std::numeric_limits<double>::epsilon() * reach_mm / smallest_u;
 }
 
 }  // namespace armcal

@@ -34,6 +34,10 @@ class EstimationProblem : public LeastSquaresProblem {
   [[nodiscard]] Eigen::VectorXd moved(const Eigen::VectorXd& x,
                                       const Eigen::VectorXd& step) const override;
 
+  /// What rounding does to a residual: coordinates as large as the arm and what it is measured
+  /// against, in units of the finest uncertainty. For LeastSquaresOptions::residual_resolution.
+  [[nodiscard]] double residual_resolution() const;
+
   /// Places, among all unknowns, of those that move.
   [[nodiscard]] const std::vector<int>& active() const { return active_; }
 
@@ -64,10 +68,5 @@ class EstimationProblem : public LeastSquaresProblem {
   std::vector<Layout> layouts_;
   std::vector<Block> blocks_;
 };
-
-/// Rounding of a residual over its uncertainty: tips are computed to some units in the last place
-/// of the reach.
-[[nodiscard]] double residual_resolution(const std::vector<const Residual*>& residuals,
-                                         double reach_mm);
 
 }  // namespace armcal
