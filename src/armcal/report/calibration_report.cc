@@ -82,6 +82,35 @@ std::vector<std::string> free_names(const Calibration& calibration) {
   return names;
 }
 
+// Pairs of parameters that the readings hardly tell apart, the closest first.
+Json json_of_correlations(const Calibration& calibration) {
+  constexpr double kClose = 0.9;
+  const std::vector<std::string> names = free_names(calibration);
+  const Eigen::MatrixXd& covariance = calibration.covariance;
+  struct Pair {
+    std::size_t first, second;
+    double correlation;
+  };
+  std::vector<Pair> pairs;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    for (std::size_t j = i + 1; j < names.size(); ++j) {
+      const auto a = static_cast<Eigen::Index>(i);
+      const auto b = static_cast<Eigen::Index>(j);
+      const double r = covariance(a, b) / std::sqrt(covariance(a, a) * covariance(b, b));
+      if (std::abs(r) > kClose) pairs.push_back({i, j, r});
+    }
+  }
+  std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& one, const Pair& other) {
+    return std::abs(one.correlation) > std::abs(other.correlation);
+  });
+  Json json = Json::array();
+  for (const Pair& pair : pairs) {
+    json.push_back({{"parameters", {names[pair.first], names[pair.second]}},
+                    {"correlation", pair.correlation}});
+  }
+  return json;
+}
+
 std::string parameters_text(const Calibration& calibration) {
   TextTable table({{"parameter", Align::left},
                    {"nominal"},
@@ -206,6 +235,7 @@ Json json_result(const Calibration& calibration) {
   }
   json["covariance_of"] = free_names(calibration);
   json["covariance"] = json_of(calibration.covariance);
+  json["correlations"] = json_of_correlations(calibration);
   json["flagged"] = Json::array();
   for (const FlaggedRow& row : calibration.flagged) {
     json["flagged"].push_back({{"group", row.group},
