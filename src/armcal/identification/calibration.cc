@@ -74,27 +74,14 @@ class Calibrator {
     result_.condition_number = choice_.condition_number;
     result_.unseen.insert(result_.unseen.end(), choice_.unseen.begin(), choice_.unseen.end());
     for (int i = 0; i < table_.size(); ++i) {
-      CalibratedParameter each{table_[i].name,
-                               table_[i].unit,
-                               table_[i].nominal,
-                               table_[i].nominal,
-                               0.0,
-                               ParameterStatus::held,
-                               0.0,
-                               ""};
+      std::optional<double> u;
       for (std::size_t k = 0; k < choice_.kept.size(); ++k) {
         const int column = choice_.kept[k];
-        if (column >= unknowns_.arm_size() ||
-            unknowns_.free()[static_cast<std::size_t>(column)] != i)
-          continue;
-        const double u = choice_.factor.row(static_cast<Eigen::Index>(k)).norm();
-        const auto prior = prior_u(table_[i], options_);
-        each.u = u;
-        each.status = prior ? ParameterStatus::prior : ParameterStatus::free;
-        each.data_share = prior ? std::clamp(1.0 - u * u / (*prior * *prior), 0.0, 1.0) : 1.0;
+        const bool is_this = column < unknowns_.arm_size() &&
+                             unknowns_.free()[static_cast<std::size_t>(column)] == i;
+        if (is_this) u = choice_.factor.row(static_cast<Eigen::Index>(k)).norm();
       }
-      if (each.status == ParameterStatus::held) each.reason = reason_for(each.name);
-      result_.parameters.push_back(std::move(each));
+      add_parameter(i, table_[i].nominal, u);
     }
     result_.status = CalibrationStatus::converged;
     return std::move(result_);
@@ -273,24 +260,30 @@ class Calibrator {
     result_.covariance = widening() * widening() * factor * factor.transpose();
     const Eigen::VectorXd values = parameter_values(result_.arm);
     for (int i = 0; i < table_.size(); ++i) {
-      CalibratedParameter each;
-      each.name = table_[i].name;
-      each.unit = table_[i].unit;
-      each.nominal = table_[i].nominal;
-      each.value = values(i);
       const auto at = std::find(result_.free.begin(), result_.free.end(), i);
-      if (at != result_.free.end()) {
-        const Eigen::Index place = at - result_.free.begin();
-        const double u = factor.row(place).norm();
-        each.u = widening() * u;
-        const auto prior = prior_u(table_[i], options_);
-        each.status = prior ? ParameterStatus::prior : ParameterStatus::free;
-        each.data_share = prior ? std::clamp(1.0 - u * u / (*prior * *prior), 0.0, 1.0) : 1.0;
-      } else {
-        each.reason = reason_for(each.name);
-      }
-      result_.parameters.push_back(std::move(each));
+      std::optional<double> u;
+      if (at != result_.free.end()) u = factor.row(at - result_.free.begin()).norm();
+      add_parameter(i, values(i), u);
     }
+  }
+
+  /// @param u  by the stated uncertainties; nothing for a parameter that is held
+  void add_parameter(int index, double value, const std::optional<double>& u) {
+    const Parameter& parameter = table_[index];
+    CalibratedParameter each;
+    each.name = parameter.name;
+    each.unit = parameter.unit;
+    each.nominal = parameter.nominal;
+    each.value = value;
+    if (u) {
+      each.u = widening() * *u;
+      const auto prior = prior_u(parameter, options_);
+      each.status = prior ? ParameterStatus::prior : ParameterStatus::free;
+      each.data_share = prior ? std::clamp(1.0 - *u * *u / (*prior * *prior), 0.0, 1.0) : 1.0;
+    } else {
+      each.reason = reason_for(each.name);
+    }
+    result_.parameters.push_back(std::move(each));
   }
 
   [[nodiscard]] std::string reason_for(const std::string& name) const {

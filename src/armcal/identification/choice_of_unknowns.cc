@@ -44,14 +44,6 @@ std::vector<int> order_of_wish(const Unknowns& unknowns) {
   return order;
 }
 
-Eigen::MatrixXd columns_of(const Eigen::MatrixXd& matrix, const std::vector<int>& columns) {
-  Eigen::MatrixXd picked(matrix.rows(), static_cast<Eigen::Index>(columns.size()));
-  for (std::size_t i = 0; i < columns.size(); ++i) {
-    picked.col(static_cast<Eigen::Index>(i)) = matrix.col(columns[i]);
-  }
-  return picked;
-}
-
 // A free parameter that is known too badly to be of use: of those nearly as bad as the worst (they
 // trade against each other), the one that is wanted least.
 struct Weakest {
@@ -110,7 +102,7 @@ ChoiceOfUnknowns choose_unknowns(const Eigen::MatrixXd& r, const Unknowns& unkno
       order[i] = static_cast<int>(i);
       names.push_back(all_names[static_cast<std::size_t>(wanted[i])]);
     }
-    const RankAnalysis analysis = analyse_rank(columns_of(r, wanted), order, kRankTolerance);
+    const RankAnalysis analysis = analyse_rank(r(Eigen::all, wanted), order, kRankTolerance);
     std::vector<int> kept;
     for (const int place : analysis.basis) kept.push_back(wanted[static_cast<std::size_t>(place)]);
     if (!scale_is_known) {
@@ -135,7 +127,7 @@ ChoiceOfUnknowns choose_unknowns(const Eigen::MatrixXd& r, const Unknowns& unkno
       scale_is_known = true;
       continue;
     }
-    const Weakest weakest = weakest_of(columns_of(r, kept), kept, unknowns, table, options);
+    const Weakest weakest = weakest_of(r(Eigen::all, kept), kept, unknowns, table, options);
     if (weakest.place >= 0) {
       const int column = kept[static_cast<std::size_t>(weakest.place)];
       const Parameter& parameter = table[unknowns.free()[static_cast<std::size_t>(column)]];
@@ -145,7 +137,7 @@ ChoiceOfUnknowns choose_unknowns(const Eigen::MatrixXd& r, const Unknowns& unkno
     }
     choice.condition_number = analysis.condition_number;
     choice.kept = kept;
-    choice.factor = inverse_factor(columns_of(r, kept)).value_or(Eigen::MatrixXd());
+    choice.factor = inverse_factor(r(Eigen::all, kept)).value_or(Eigen::MatrixXd());
     for (const DependentColumn& dependent : analysis.dependent) {
       UnseenDirection unseen;
       unseen.held = names[static_cast<std::size_t>(dependent.column)];

@@ -25,14 +25,6 @@ constexpr double kUnchecked = 1e-6;
 // Tests whose statistics correlate so closely are one test.
 constexpr double kSameTest = 0.9999;
 
-Eigen::MatrixXd columns_of(const Eigen::MatrixXd& matrix, const std::vector<int>& columns) {
-  Eigen::MatrixXd picked(matrix.rows(), static_cast<Eigen::Index>(columns.size()));
-  for (std::size_t i = 0; i < columns.size(); ++i) {
-    picked.col(static_cast<Eigen::Index>(i)) = matrix.col(columns[i]);
-  }
-  return picked;
-}
-
 // The readings as a problem in the chosen unknowns.
 class Problem {
  public:
@@ -77,7 +69,7 @@ class Problem {
     problem.evaluate = [&](const Eigen::VectorXd& x, Eigen::VectorXd& r, Eigen::MatrixXd& J) {
       Eigen::MatrixXd design;
       linearise(arm_at(unknowns, x), r, design);
-      J = -columns_of(design, unknowns);
+      J = -design(Eigen::all, unknowns);
     };
     return solve_small_least_squares(problem, start(unknowns));
   }
@@ -122,7 +114,7 @@ Choice choose_unknowns(const Eigen::MatrixXd& design, std::vector<int> wanted,
                        const ParameterTable& table, const AdjustmentOptions& options) {
   Choice choice;
   for (;;) {
-    const Eigen::MatrixXd part = columns_of(design, wanted);
+    const Eigen::MatrixXd part = design(Eigen::all, wanted);
     std::vector<int> order(wanted.size());
     std::vector<std::string> names;
     for (std::size_t i = 0; i < wanted.size(); ++i) {
@@ -137,7 +129,7 @@ Choice choose_unknowns(const Eigen::MatrixXd& design, std::vector<int> wanted,
     }
     // A parameter that data see too weakly to be of use would be returned with metres of
     // uncertainty.
-    const auto factor = inverse_factor(columns_of(design, choice.unknowns));
+    const auto factor = inverse_factor(design(Eigen::all, choice.unknowns));
     int weakest = -1;
     double weakest_u = 0.0;
     for (std::size_t i = 0; factor && i < choice.unknowns.size(); ++i) {
@@ -276,7 +268,7 @@ Adjustment adjust_once(const ArmModel& nominal, std::span<const SymmetricReading
   result.unknowns = choice.unknowns;
   result.undetermined = choice.held;
   result.condition_number = choice.condition_number;
-  const Eigen::MatrixXd jacobian = columns_of(design, result.unknowns);
+  const Eigen::MatrixXd jacobian = design(Eigen::all, result.unknowns);
   const auto factor = inverse_factor(jacobian);
   if (!factor || solution.x.size() != jacobian.cols()) {
     result.status = AdjustmentStatus::no_convergence;

@@ -5,11 +5,6 @@
 namespace armcal {
 namespace {
 
-bool is_of_tip(const TipColumn& column) {
-  return column.kind == ParameterKind::tip_a || column.kind == ParameterKind::tip_b ||
-         column.kind == ParameterKind::tip_d;
-}
-
 ArmModel with_tip_at(const ArmModel& arm, const Eigen::Vector3d& point_mm) {
   ArmModel moved = arm;
   moved.tip.a_mm = point_mm.x();
@@ -18,9 +13,24 @@ ArmModel with_tip_at(const ArmModel& arm, const Eigen::Vector3d& point_mm) {
   return moved;
 }
 
+}  // namespace
+
 Eigen::Vector3d tip_of(const ArmModel& arm) { return {arm.tip.a_mm, arm.tip.b_mm, arm.tip.d_mm}; }
 
-}  // namespace
+bool is_of_tip(const TipColumn& column) {
+  return column.kind == ParameterKind::tip_a || column.kind == ParameterKind::tip_b ||
+         column.kind == ParameterKind::tip_d;
+}
+
+std::vector<TipColumn> columns_with_point(const Unknowns& unknowns) {
+  std::vector<TipColumn> columns = unknowns.columns();
+  const int last = unknowns.nominal().joint_count() - 1;
+  for (const ParameterKind kind :
+       {ParameterKind::tip_a, ParameterKind::tip_b, ParameterKind::tip_d}) {
+    columns.push_back({kind, last, 0});
+  }
+  return columns;
+}
 
 MeasuredPoint::MeasuredPoint(const ObservationGroup& group, const Eigen::MatrixXd& encoder_rad,
                              Unknowns& unknowns, std::vector<int>& nuisances)
@@ -45,12 +55,7 @@ void MeasuredPoint::fill(const ArmAt& at, const Unknowns& unknowns, const Eigen:
     return;
   }
   // The target moves as the tip would; the arm's own tip does not count.
-  std::vector<TipColumn> columns = unknowns.columns();
-  const int last = at.arm.joint_count() - 1;
-  for (const ParameterKind kind :
-       {ParameterKind::tip_a, ParameterKind::tip_b, ParameterKind::tip_d}) {
-    columns.push_back({kind, last, 0});
-  }
+  const std::vector<TipColumn> columns = columns_with_point(unknowns);
   const TipRows tips(with_tip_at(at.arm, unknowns.point(x, *target_)), columns);
   tips.fill(postures_, first, count, target);
   if (target.rows == nullptr) return;

@@ -8,6 +8,13 @@
 
 namespace armcal {
 
+/// Place of the tip in the frame of the last joint.
+[[nodiscard]] Eigen::Vector3d tip_of(const ArmModel& arm);
+[[nodiscard]] bool is_of_tip(const TipColumn& column);
+/// The columns of the arm's free parameters, then those of the point that moves with the last
+/// joint.
+[[nodiscard]] std::vector<TipColumn> columns_with_point(const Unknowns& unknowns);
+
 /// The point of the arm that a group's readings are of: the tip, a point at a known offset from it,
 /// or an unknown point of the last joint (a target), whose place is then the first nuisance of the
 /// residual.

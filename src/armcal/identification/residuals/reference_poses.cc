@@ -6,21 +6,15 @@
 
 #include "armcal/arm/forward_kinematics.h"
 #include "armcal/identification/residuals/frame_start.h"
+#include "armcal/identification/residuals/measured_point.h"
 
 namespace armcal {
 namespace {
-
-Eigen::Vector3d tip_of(const ArmModel& arm) { return {arm.tip.a_mm, arm.tip.b_mm, arm.tip.d_mm}; }
 
 // The three points of the target, in its own frame.
 Eigen::Vector3d point_in_target(int k, double lever_mm) {
   if (k == 0) return Eigen::Vector3d::Zero();
   return lever_mm * Eigen::Vector3d::Unit(k - 1);
-}
-
-bool is_of_tip(const TipColumn& column) {
-  return column.kind == ParameterKind::tip_a || column.kind == ParameterKind::tip_b ||
-         column.kind == ParameterKind::tip_d;
 }
 
 }  // namespace
@@ -93,11 +87,7 @@ void ReferencePosesResidual::fill(const ArmAt& at, const Unknowns& unknowns,
       unknowns.arm_size();  // first of three columns: by the point on the last joint
   const Eigen::Index by_turn = by_point + (target_ ? 3 : 0);
   const Eigen::Index by_setup = by_turn + 3;
-  std::vector<TipColumn> columns = unknowns.columns();
-  for (const ParameterKind kind :
-       {ParameterKind::tip_a, ParameterKind::tip_b, ParameterKind::tip_d}) {
-    columns.push_back({kind, at.arm.joint_count() - 1, 0});
-  }
+  const std::vector<TipColumn> columns = columns_with_point(unknowns);
   std::array<double, 3 * kObservationsPerBlock> tips;
   for (int k = 0; k < 3; ++k) {
     const Eigen::Vector3d lever = turn * point_in_target(k, group().lever_mm);
