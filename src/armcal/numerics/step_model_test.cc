@@ -4,7 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/QR>
+#include <Eigen/Core>
+#include <Eigen/SVD>
 #include <cmath>
 #include <limits>
 #include <stdexcept>

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: the armcal authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "armcal/arm/arm_model.h"
+#include "armcal/arm/clearance.h"
+#include "armcal/arm/forward_kinematics.h"
+#include "armcal/core/random.h"
+#include "armcal/simulation/error_sources.h"
+
+namespace armcal {
+
+/// What a reading is taken under, beside the posture.
+struct Circumstances {
+  double time_s = 0.0;  ///< since the arm was switched on
+  /// Direction in which the probe pushes against what it touches, base frame, of unit length; zero
+  /// where nothing is touched (a reflector, a locked arm).
+  Eigen::Vector3d push = Eigen::Vector3d::Zero();
+};
+
+/// An arm whose truth is known: its drawing, the geometry that it really has, and everything else
+/// that moves its tip. Const and safe to share between threads; whoever takes readings brings the
+/// random numbers.
+class VirtualArm {
+ public:
+  /// Draws the errors. The same seed gives the same arm.
+  VirtualArm(ArmModel nominal, const ErrorSources& errors, std::uint64_t seed,
+             Surroundings surroundings = {});
+  /// An arm of given geometry; `errors.geometry` is not used.
+  VirtualArm(ArmModel nominal, ArmModel truth, const ErrorSources& errors, std::uint64_t seed,
+             Surroundings surroundings = {});
+
+  [[nodiscard]] const ArmModel& nominal() const { return nominal_; }
+  /// The geometry (zeros, links, tip, eccentric scales) that a perfect calibration would find.
+  [[nodiscard]] const ArmModel& truth() const { return truth_; }
+  [[nodiscard]] const ErrorSources& errors() const { return errors_; }
+  [[nodiscard]] const Surroundings& surroundings() const { return surroundings_; }
+
+  /// Where the tip really is while the encoders stand at these angles (before their own noise),
+  /// base frame.
+  [[nodiscard]] Eigen::Vector3d tip(const Eigen::VectorXd& encoder_rad,
+                                    const Circumstances& circumstances = {}) const;
+
+  /// What the encoders show there.
+  [[nodiscard]] Eigen::VectorXd shown(const Eigen::VectorXd& encoder_rad,
+                                      RandomStream& random) const;
+
+  /// Why the arm cannot stand so: a joint limit, its own column, the bench. Nothing where it can.
+  [[nodiscard]] std::optional<std::string> obstacle(const Eigen::VectorXd& encoder_rad) const;
+
+  /// Angles near `start_rad` at which the true tip is on the point, to 1e-9 mm; nothing where the
+  /// search does not arrive or ends in an obstacle.
+  [[nodiscard]] std::optional<Eigen::VectorXd> posture_with_tip_at(
+      const Eigen::Vector3d& point_mm, const Eigen::VectorXd& start_rad,
+      const Circumstances& circumstances = {}) const;
+
+ private:
+  ArmModel nominal_;
+  ArmModel truth_;
+  ErrorSources errors_;
+  Surroundings surroundings_;
+  ForwardKinematics kinematics_;  // of the truth
+};
+
+}  // namespace armcal
