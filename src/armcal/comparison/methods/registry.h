@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: the armcal authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "armcal/comparison/method.h"
+
+namespace armcal {
+
+// One file per family here; a new method is a row in its family.
+[[nodiscard]] std::vector<Method> least_squares_methods();
+
+/// Every method, in the order of the table.
+[[nodiscard]] std::vector<Method> all_methods();
+
+}  // namespace armcal
