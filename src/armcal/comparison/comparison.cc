@@ -4,44 +4,21 @@
 
 #include <algorithm>
 #include <chrono>
-#include <mutex>
-#include <numeric>
 #include <optional>
-#include <stdexcept>
 
 #include "armcal/comparison/methods/registry.h"
+#include "armcal/comparison/name_choice.h"
+#include "armcal/comparison/task_queue.h"
 #include "armcal/core/diagnostics.h"
-#include "armcal/core/parallel.h"
-#include "armcal/core/spelling.h"
 
 namespace armcal {
 namespace {
-
-std::vector<Method> chosen_methods(const std::vector<std::string>& patterns) {
-  std::vector<Method> all = all_methods();
-  std::vector<std::string> names;
-  for (const Method& method : all) names.push_back(method.name);
-  for (const std::string& pattern : patterns) {
-    const bool known = std::any_of(names.begin(), names.end(), [&](const std::string& name) {
-      return matches_glob(name, pattern);
-    });
-    if (!known) {
-      throw std::invalid_argument("no method matches \"" + pattern +
-                                  "\": " + did_you_mean(pattern, names));
-    }
-  }
-  std::erase_if(all, [&](const Method& method) {
-    return std::none_of(patterns.begin(), patterns.end(), [&](const std::string& pattern) {
-      return matches_glob(method.name, pattern);
-    });
-  });
-  return all;
-}
 
 struct Outcome {
   int readings = 0;
   std::optional<Score> score;
   double seconds = 0.0;
+  std::optional<double> condition_number;
   std::string remark;
   std::string problem;
 };
@@ -55,6 +32,7 @@ Outcome outcome_of(const Method& method, const Bench& bench, const Judge& judge)
     const FoundArm found = taken.compute();
     outcome.seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    outcome.condition_number = found.condition_number;
     outcome.remark = found.remark;
     outcome.score = judge.score(found);
   } catch (const Impossible& reason) {
@@ -98,31 +76,15 @@ ComparisonRow row_of(const Method& method, const std::vector<const Outcome*>& ou
     row.score.inside += outcome->score->inside;
   }
   row.seconds = middle([](const Outcome& outcome) { return outcome.seconds; });
+  row.condition_number = good.front()->condition_number;
   row.remark = good.front()->remark;
   return row;
 }
 
-/// Tells the listener, from whatever thread, how much of the whole effort is behind us.
-class SharedProgress {
- public:
-  SharedProgress(const Monitor& monitor, double whole) : monitor_(monitor), whole_(whole) {}
-  void add(double part) {
-    const std::scoped_lock lock(mutex_);
-    done_ += part;
-    monitor_.report("comparing methods", std::min(1.0, done_ / whole_));
-  }
-
- private:
-  const Monitor& monitor_;
-  double whole_;
-  double done_ = 0.0;
-  std::mutex mutex_;
-};
-
 }  // namespace
 
 Comparison compare_methods(const Scenario& scenario, const ComparisonOptions& options) {
-  const std::vector<Method> methods = chosen_methods(options.methods);
+  const std::vector<Method> methods = chosen_by_name(all_methods(), options.methods);
   const auto repeats = static_cast<std::size_t>(options.repeats);
   std::vector<Bench> benches;
   std::vector<Judge> judges;
@@ -135,22 +97,12 @@ Comparison compare_methods(const Scenario& scenario, const ComparisonOptions& op
     floors.push_back(judges.back().noise_floor_mm());
     options.monitor.report("drawing arms", static_cast<double>(r + 1) / options.repeats);
   }
-  // The longest first, so that no thread is left with one of them at the end.
-  std::vector<std::size_t> order(methods.size() * repeats);
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t one, std::size_t other) {
-    return methods[one / repeats].effort > methods[other / repeats].effort;
-  });
-  double whole = 0.0;
-  for (const std::size_t task : order) whole += methods[task / repeats].effort;
-  SharedProgress progress(options.monitor, whole);
-  std::vector<Outcome> outcomes(order.size());
-  parallel_for(static_cast<int>(order.size()), options.threads, [&](int item, int /*worker*/) {
-    const std::size_t task = order[static_cast<std::size_t>(item)];
+  std::vector<double> efforts;
+  for (const Method& method : methods) efforts.insert(efforts.end(), repeats, method.effort);
+  std::vector<Outcome> outcomes(efforts.size());
+  do_tasks(efforts, options.threads, options.monitor, "comparing methods", [&](std::size_t task) {
     const std::size_t r = task % repeats;
-    const Method& method = methods[task / repeats];
-    outcomes[task] = outcome_of(method, benches[r], judges[r]);
-    progress.add(method.effort);
+    outcomes[task] = outcome_of(methods[task / repeats], benches[r], judges[r]);
   });
 
   Comparison comparison{scenario, options.seed, options.repeats, median(floors), {}};

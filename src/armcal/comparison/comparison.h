@@ -24,11 +24,12 @@ struct ComparisonOptions {
 struct ComparisonRow {
   std::string name, title, reference, needs;
   int readings = 0;
-  int arms = 0;          ///< for which it found an arm
-  Score score;           ///< counts of intervals are sums
-  double seconds = 0.0;  ///< of computing, without the taking of readings
-  std::string remark;    ///< of the first arm
-  std::string problem;   ///< why it found nothing, first such arm; empty where it always did
+  int arms = 0;                            ///< for which it found an arm
+  Score score;                             ///< counts of intervals are sums
+  double seconds = 0.0;                    ///< of computing, without the taking of readings
+  std::optional<double> condition_number;  ///< of the first arm
+  std::string remark;                      ///< of the first arm
+  std::string problem;  ///< why it found nothing, first such arm; empty where it always did
 };
 
 struct Comparison {

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "armcal/comparison/method.h"
 
-#include <fmt/format.h>
-
 #include "armcal/core/diagnostics.h"
 
 namespace armcal {
@@ -13,8 +11,11 @@ FoundArm found_arm(const Calibration& calibration) {
     throw NumericalError(calibration.detail.empty() ? std::string(explain(calibration.status))
                                                     : calibration.detail);
   }
-  return {calibration.arm, calibration.free, calibration.covariance.diagonal().cwiseSqrt(),
-          fmt::format("condition number {:.3g}", calibration.condition_number)};
+  return {calibration.arm,
+          calibration.free,
+          calibration.covariance.diagonal().cwiseSqrt(),
+          calibration.condition_number,
+          {}};
 }
 
 }  // namespace armcal

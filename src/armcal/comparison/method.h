@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,7 +18,8 @@ struct FoundArm {
   ArmModel arm;
   std::vector<int> free;  ///< what it estimated, indices into the parameter table of `arm`
   Eigen::VectorXd u;      ///< standard uncertainties of those; empty where it states none
-  std::string remark;     ///< what else a reader should know, a few words
+  std::optional<double> condition_number;  ///< of the scaled Jacobian, where there is one
+  std::string remark;                      ///< what else a reader should know, a few words
 };
 
 /// Readings, and what is left to do with them. Taking them costs the laboratory's time, computing

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "armcal/comparison/method.h"
+#include "armcal/comparison/session_method.h"
 
 namespace armcal {
 
@@ -13,5 +14,8 @@ namespace armcal {
 
 /// Every method, in the order of the table.
 [[nodiscard]] std::vector<Method> all_methods();
+
+/// Those that need no reading of their own.
+[[nodiscard]] std::vector<SessionMethod> session_methods();
 
 }  // namespace armcal
