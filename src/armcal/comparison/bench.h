@@ -19,16 +19,14 @@ struct Bench {
   int readings = 120;
   double u_reference_mm = 0.005;  ///< of a coordinate of a measured or calibrated point
   double u_length_mm = 0.001;     ///< of a calibrated length
-  int harmonics =
-      0;  ///< encoder harmonics per joint that a method may estimate beside the geometry
   Monitor monitor;
 
   [[nodiscard]] double u_encoder_rad() const { return arm.errors().encoder_noise.u_rad; }
   /// A laboratory of its own for one method: what others measure does not change what it finds
-  /// there. The same `measurement` draws the same random numbers.
-  [[nodiscard]] Laboratory laboratory(int measurement) const {
+  /// there.
+  [[nodiscard]] Laboratory laboratory() const {
     Laboratory laboratory(arm, seed);
-    laboratory.begin(measurement);
+    laboratory.begin(1);
     return laboratory;
   }
 };

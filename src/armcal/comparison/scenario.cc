@@ -90,8 +90,7 @@ Bench bench_of(const Scenario& scenario, std::uint64_t seed) {
   return {.arm = VirtualArm(scenario.nominal, scenario.errors, seed),
           .seed = seed,
           .readings = scenario.readings,
-          .u_reference_mm = scenario.u_reference_mm,
-          .harmonics = scenario.harmonics};
+          .u_reference_mm = scenario.u_reference_mm};
 }
 
 }  // namespace armcal

@@ -19,7 +19,6 @@ struct Scenario {
   ErrorSources errors;
   int readings = 120;
   double u_reference_mm = 0.005;
-  int harmonics = 0;  ///< that methods may estimate
 };
 
 /// Scenarios that are built in. The first one is used where none is named.

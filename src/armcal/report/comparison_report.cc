@@ -24,6 +24,11 @@ std::string seconds_text(double seconds) {
 // A millimetre out of place needs no nanometres beside it.
 std::string error_text(double error_mm) { return fixed(error_mm, error_mm < 1.0 ? 4 : 2); }
 
+// "23", "2.3e+16".
+std::string condition_text(double number) {
+  return number < 1e4 ? fmt::format("{:.0f}", number) : fmt::format("{:.0e}", number);
+}
+
 std::string remark_of(const ComparisonRow& row, int repeats) {
   if (row.problem.empty()) return row.remark;
   if (row.arms == 0) return row.problem;
@@ -33,7 +38,7 @@ std::string remark_of(const ComparisonRow& row, int repeats) {
 std::vector<std::string> cells_of(const ComparisonRow& row, int repeats) {
   if (row.arms == 0) {
     const std::string readings = row.readings > 0 ? std::to_string(row.readings) : "";
-    return {row.title, readings, "", "", "", "", "", "", "", remark_of(row, repeats)};
+    return {row.title, readings, "", "", "", "", "", "", "", "", remark_of(row, repeats)};
   }
   const Score& score = row.score;
   return {row.title,
@@ -44,14 +49,15 @@ std::vector<std::string> cells_of(const ComparisonRow& row, int repeats) {
           error_text(score.length_rms_mm),
           fixed(score.noise_ratio, score.noise_ratio < 10.0 ? 2 : 0),
           score.intervals > 0 ? fmt::format("{}/{}", score.inside, score.intervals) : "",
+          row.condition_number ? condition_text(*row.condition_number) : "",
           row.readings > 0 ? seconds_text(row.seconds) : "",
           remark_of(row, repeats)};
 }
 
 const std::vector<std::string>& titles() {
-  static const std::vector<std::string> titles = {"method", "readings",  "rms mm",  "mean mm",
-                                                  "max mm", "length mm", "x noise", "in 95 %",
-                                                  "time",   "remark"};
+  static const std::vector<std::string> titles = {"method",    "readings",  "rms mm",  "mean mm",
+                                                  "max mm",    "length mm", "x noise", "in 95 %",
+                                                  "condition", "time",      "remark"};
   return titles;
 }
 
@@ -86,6 +92,7 @@ Json json_of_row(const ComparisonRow& row, int repeats) {
     json["noise_ratio"] = score.noise_ratio;
     json["intervals"] = score.intervals;
     json["inside"] = score.inside;
+    json["condition_number"] = json_of(row.condition_number);
     json["seconds"] = row.seconds;
     json["remark"] = row.remark;
   }

@@ -10,6 +10,7 @@
 namespace armcal {
 
 // One file per family here; a new method is a row in its family.
+[[nodiscard]] std::vector<Method> baseline_methods();
 [[nodiscard]] std::vector<Method> least_squares_methods();
 
 /// Every method, in the order of the table.
