@@ -6,7 +6,7 @@ namespace armcal {
 
 std::vector<Method> all_methods() {
   std::vector<Method> all;
-  for (const auto& family : {baseline_methods(), least_squares_methods()}) {
+  for (const auto& family : {baseline_methods(), least_squares_methods(), population_methods()}) {
     all.insert(all.end(), family.begin(), family.end());
   }
   return all;

@@ -12,6 +12,7 @@ namespace armcal {
 // One file per family here; a new method is a row in its family.
 [[nodiscard]] std::vector<Method> baseline_methods();
 [[nodiscard]] std::vector<Method> least_squares_methods();
+[[nodiscard]] std::vector<Method> population_methods();
 
 /// Every method, in the order of the table.
 [[nodiscard]] std::vector<Method> all_methods();
