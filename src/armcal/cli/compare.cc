@@ -11,6 +11,8 @@
 #include "armcal/cli/commands.h"
 #include "armcal/comparison/comparison.h"
 #include "armcal/report/comparison_report.h"
+#include "armcal/report/session_comparison_report.h"
+#include "armcal/workflow/comparison_job.h"
 
 namespace armcal::cli {
 namespace {
@@ -34,18 +36,48 @@ std::uint64_t whole_number(const std::string& flag, const std::optional<double>&
   return static_cast<std::uint64_t>(*typed);
 }
 
+int threads_of(const Flags& flags) {
+  return static_cast<int>(whole_number("--threads", flags.threads, 2));
+}
+
+void emit(const Flags& flags, const Context& context, InputFiles& files,
+          const auto& comparison) {
+  if (flags.markdown) context.save(*flags.markdown, markdown_result(comparison), files.records());
+  context.emit(files.records(), files.diagnostics(), json_result(comparison),
+               text_result(comparison));
+}
+
 int run_scenario(const Flags& flags, const Context& context) {
-  const std::string name = flags.scenario.value_or(scenario_names().front());
   ComparisonOptions options;
   if (!flags.methods.empty()) options.methods = flags.methods;
   options.seed = whole_number("--seed", flags.seed, options.seed);
   options.repeats = static_cast<int>(whole_number("--repeats", flags.repeats, 1));
-  options.threads = static_cast<int>(whole_number("--threads", flags.threads, 2));
+  options.threads = threads_of(flags);
   options.monitor = context.monitor;
-  const Comparison comparison = compare_methods(*scenario_named(name), options);
-  if (flags.markdown) context.save(*flags.markdown, markdown_result(comparison), {});
-  context.emit({}, {}, json_result(comparison), text_result(comparison));
+  const std::string name = flags.scenario.value_or(scenario_names().front());
+  InputFiles no_files;
+  emit(flags, context, no_files, compare_methods(*scenario_named(name), options));
   return kDone;
+}
+
+int run_session(const Flags& flags, const Context& context) {
+  if (flags.scenario || flags.repeats) {
+    throw std::invalid_argument(fmt::format("{} is for drawn arms; a session has its own",
+                                            flags.scenario ? "--scenario" : "--repeats"));
+  }
+  SessionComparisonOptions options;
+  if (!flags.methods.empty()) options.methods = flags.methods;
+  options.seed = whole_number("--seed", flags.seed, options.seed);
+  options.threads = threads_of(flags);
+  options.monitor = context.monitor;
+  InputFiles files(context.monitor);
+  emit(flags, context, files, run_session_comparison(files, *flags.session, options));
+  return kDone;
+}
+
+int run_compare(const Flags& flags, const Context& context) {
+  if (flags.markdown) check_may_write(*flags.markdown, context.overwrite);
+  return flags.session ? run_session(flags, context) : run_scenario(flags, context);
 }
 
 }  // namespace
@@ -57,6 +89,7 @@ Command compare_command() {
   command.brief = "every method on the same arm, one table";
   command.description = "Draws an arm with errors of known size.";
   command.arguments = {
+      {"SESSION", "session file (*.session.toml); without one, an arm is drawn", &flags->session},
       {"--scenario", "the arm and its errors; romer if not given", &flags->scenario, "NAME", false,
        scenario_names()},
       {"--methods", "only methods whose names match this pattern; may be repeated", &flags->methods,
@@ -84,7 +117,7 @@ Command compare_command() {
        NumberRange::positive},
       {"--markdown", "write the table here, for a page", &flags->markdown, "FILE"}};
   command.examples = {"armcal compare --methods cmm"};
-  command.run = [flags](const Context& context) { return run_scenario(*flags, context); };
+  command.run = [flags](const Context& context) { return run_compare(*flags, context); };
   return command;
 }
 

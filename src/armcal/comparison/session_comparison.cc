@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <stdexcept>
 
 #include "armcal/comparison/methods/registry.h"
@@ -15,51 +14,7 @@
 namespace armcal {
 namespace {
 
-// Of all groups together.
-ResidualStatistics pooled(const std::vector<ResidualStatistics>& parts) {
-  ResidualStatistics all;
-  double squares = 0.0;
-  for (const ResidualStatistics& part : parts) {
-    const auto count = static_cast<double>(part.count);
-    all.count += part.count;
-    squares += count * part.rms_mm * part.rms_mm;
-    all.mean_mm += count * part.mean_mm;
-    all.max_mm = std::max(all.max_mm, part.max_mm);
-  }
-  if (all.count == 0) return all;
-  all.rms_mm = std::sqrt(squares / static_cast<double>(all.count));
-  all.mean_mm /= static_cast<double>(all.count);
-  return all;
-}
-
-/// @throws NumericalError where the rows are too few to place what they bring along
-RowFigures figures_of(const ArmModel& arm, std::span<const ObservationGroup> groups) {
-  CalibrationOptions only_places;
-  only_places.hold = {"*"};
-  const Calibration placed = calibrate(arm, groups, only_places);
-  // Half turns bring nothing along: their residuals are those of the start.
-  const bool no_places = placed.status == CalibrationStatus::nothing_determined;
-  if (!placed.ok() && !no_places) {
-    throw NumericalError("the rows cannot be placed: " + (placed.detail.empty()
-                                                              ? std::string(explain(placed.status))
-                                                              : placed.detail));
-  }
-  std::vector<ResidualStatistics> parts;
-  for (const GroupResult& group : placed.groups)
-    parts.push_back(no_places ? group.nominal : group.fit);
-  RowFigures figures{pooled(parts), std::nullopt};
-  if (!no_places && placed.degrees_of_freedom > 0) figures.over_stated = placed.sigma0;
-  return figures;
-}
-
-std::vector<ObservationGroup> with_sets_exchanged(std::span<const ObservationGroup> groups) {
-  std::vector<ObservationGroup> exchanged(groups.begin(), groups.end());
-  for (ObservationGroup& group : exchanged) group.is_check.flip();
-  return exchanged;
-}
-
-SessionComparisonRow row_of(const SessionMethod& method, const SessionReadings& readings,
-                            std::span<const ObservationGroup> held_out) {
+SessionComparisonRow row_of(const SessionMethod& method, const SessionReadings& readings) {
   SessionComparisonRow row;
   row.name = method.name;
   row.title = method.title;
@@ -70,8 +25,8 @@ SessionComparisonRow row_of(const SessionMethod& method, const SessionReadings& 
     row.parameters = static_cast<int>(found.free.size());
     row.condition_number = found.condition_number;
     row.remark = found.remark;
-    row.fitted = figures_of(found.arm, readings.groups);
-    row.held_out = figures_of(found.arm, held_out);
+    row.fitted = row_figures(found.arm, readings.groups, false);
+    row.held_out = row_figures(found.arm, readings.groups, true);
   } catch (const NumericalError& reason) {
     row.problem = reason.what();
   }
@@ -80,24 +35,27 @@ SessionComparisonRow row_of(const SessionMethod& method, const SessionReadings& 
 
 }  // namespace
 
-std::vector<SessionComparisonRow> compare_on_session(const ArmModel& nominal,
-                                                     std::span<const ObservationGroup> groups,
-                                                     const CalibrationOptions& calibration,
-                                                     const SessionComparisonOptions& options) {
-  const bool any_held_out = std::any_of(groups.begin(), groups.end(), [](const auto& group) {
-    return std::find(group.is_check.begin(), group.is_check.end(), true) != group.is_check.end();
-  });
-  if (!any_held_out) throw std::invalid_argument("no row is held out to judge by");
+SessionComparison compare_on_session(const ArmModel& nominal,
+                                     std::span<const ObservationGroup> groups,
+                                     const CalibrationOptions& calibration,
+                                     const SessionComparisonOptions& options) {
+  SessionComparison comparison;
+  comparison.arm_name = nominal.name;
+  for (const ObservationGroup& group : groups) {
+    const auto held_out = std::count(group.is_check.begin(), group.is_check.end(), true);
+    comparison.held_out += held_out;
+    comparison.fitted += group.count() - held_out;
+  }
+  if (comparison.held_out == 0) throw std::invalid_argument("no row is held out to judge by");
   const auto methods = chosen_by_name(session_methods(), options.methods);
   SessionReadings readings{nominal, groups, calibration, options.seed};
   readings.calibration.monitor = {{}, options.monitor.stop};  // threads report through do_tasks
-  const std::vector<ObservationGroup> held_out = with_sets_exchanged(groups);
   std::vector<double> efforts;
   for (const SessionMethod& method : methods) efforts.push_back(method.effort);
-  std::vector<SessionComparisonRow> rows(methods.size());
+  comparison.rows.resize(methods.size());
   do_tasks(efforts, options.threads, options.monitor, "comparing methods",
-           [&](std::size_t task) { rows[task] = row_of(methods[task], readings, held_out); });
-  return rows;
+           [&](std::size_t task) { comparison.rows[task] = row_of(methods[task], readings); });
+  return comparison;
 }
 
 }  // namespace armcal

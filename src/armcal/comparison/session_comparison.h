@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "armcal/comparison/row_figures.h"
 #include "armcal/core/progress.h"
 #include "armcal/identification/calibration.h"
 #include "armcal/observations/observation_group.h"
@@ -19,14 +20,6 @@ struct SessionComparisonOptions {
   std::uint64_t seed = 1;                    ///< of searches without derivatives
   int threads = 1;                           ///< never changes a digit, except of times
   Monitor monitor;
-};
-
-/// How an arm does on rows, with frames, seats, spheres and planes placed on these very rows: a
-/// place is a convention, the arm is what is judged.
-struct RowFigures {
-  ResidualStatistics residuals;  ///< of all groups together
-  /// Rms residual in units of stated uncertainty, 1 as promised; where there is redundancy.
-  std::optional<double> over_stated;
 };
 
 /// One method on the readings of a session.
@@ -41,13 +34,23 @@ struct SessionComparisonRow {
   std::string problem;  ///< why it found nothing, or cannot be judged
 };
 
+/// Methods on the readings of one session.
+struct SessionComparison {
+  std::string arm_name;
+  Eigen::Index fitted = 0;    ///< rows
+  Eigen::Index held_out = 0;  ///< rows that judge
+  bool split_here = false;    ///< the session itself holds nothing out
+  std::vector<SessionComparisonRow> rows;
+};
+
 /// Every method that needs no reading of its own, on the same readings, judged on those that were
 /// held out.
 /// @param groups   some of whose rows are held out
 /// @param options  what the session wants held, its priors, loss and harmonics
 /// @throws std::invalid_argument where no method is called so, or no row is held out; Interrupted
-[[nodiscard]] std::vector<SessionComparisonRow> compare_on_session(
-    const ArmModel& nominal, std::span<const ObservationGroup> groups,
-    const CalibrationOptions& calibration, const SessionComparisonOptions& options);
+[[nodiscard]] SessionComparison compare_on_session(const ArmModel& nominal,
+                                                   std::span<const ObservationGroup> groups,
+                                                   const CalibrationOptions& calibration,
+                                                   const SessionComparisonOptions& options);
 
 }  // namespace armcal

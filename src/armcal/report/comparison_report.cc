@@ -3,31 +3,14 @@
 #include "armcal/report/comparison_report.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "armcal/core/units.h"
+#include "armcal/report/comparison_cells.h"
 #include "armcal/report/number_format.h"
-#include "armcal/report/text_table.h"
 
 namespace armcal {
 namespace {
-
-// "0.0031 s", "12 s": two digits say all that a time measured once can say.
-std::string seconds_text(double seconds) {
-  const int decimals = seconds >= 9.95 ? 0 : decimals_for_uncertainty(seconds);
-  return fmt::format("{:.{}f} s", seconds, std::min(decimals, 4));
-}
-
-// A millimetre out of place needs no nanometres beside it.
-std::string error_text(double error_mm) { return fixed(error_mm, error_mm < 1.0 ? 4 : 2); }
-
-// "23", "2.3e+16".
-std::string condition_text(double number) {
-  return number < 1e4 ? fmt::format("{:.0f}", number) : fmt::format("{:.0e}", number);
-}
 
 std::string remark_of(const ComparisonRow& row, int repeats) {
   if (row.problem.empty()) return row.remark;
@@ -43,22 +26,31 @@ std::vector<std::string> cells_of(const ComparisonRow& row, int repeats) {
   const Score& score = row.score;
   return {row.title,
           std::to_string(row.readings),
-          error_text(score.point_rms_mm),
-          error_text(score.point_mean_mm),
-          error_text(score.point_max_mm),
-          error_text(score.length_rms_mm),
-          fixed(score.noise_ratio, score.noise_ratio < 10.0 ? 2 : 0),
+          error_cell(score.point_rms_mm),
+          error_cell(score.point_mean_mm),
+          error_cell(score.point_max_mm),
+          error_cell(score.length_rms_mm),
+          ratio_cell(score.noise_ratio),
           score.intervals > 0 ? fmt::format("{}/{}", score.inside, score.intervals) : "",
-          row.condition_number ? condition_text(*row.condition_number) : "",
-          row.readings > 0 ? seconds_text(row.seconds) : "",
+          condition_cell(row.condition_number),
+          row.readings > 0 ? seconds_cell(row.seconds) : "",
           remark_of(row, repeats)};
 }
 
-const std::vector<std::string>& titles() {
-  static const std::vector<std::string> titles = {"method",    "readings",  "rms mm",  "mean mm",
-                                                  "max mm",    "length mm", "x noise", "in 95 %",
-                                                  "condition", "time",      "remark"};
-  return titles;
+TextTable table_of(const Comparison& comparison) {
+  TextTable table({{"method", Align::left},
+                   {"readings"},
+                   {"rms mm"},
+                   {"mean mm"},
+                   {"max mm"},
+                   {"length mm"},
+                   {"x noise"},
+                   {"in 95 %"},
+                   {"condition"},
+                   {"time"},
+                   {"remark", Align::left}});
+  for (const ComparisonRow& row : comparison.rows) table.add_row(cells_of(row, comparison.repeats));
+  return table;
 }
 
 std::string what_was_done(const Comparison& comparison) {
@@ -117,24 +109,13 @@ Json json_result(const Comparison& comparison) {
 }
 
 std::string text_result(const Comparison& comparison) {
-  std::vector<TextTable::Column> columns;
-  for (const std::string& title : titles()) {
-    const bool is_text = title == "method" || title == "remark";
-    columns.push_back({title, is_text ? Align::left : Align::right});
-  }
-  TextTable table(columns);
-  for (const ComparisonRow& row : comparison.rows) table.add_row(cells_of(row, comparison.repeats));
-  return what_was_done(comparison) + "\n\n" + table.text() + "\n" + how_to_read(comparison);
+  return what_was_done(comparison) + "\n\n" + table_of(comparison).text() + "\n" +
+         how_to_read(comparison);
 }
 
 std::string markdown_result(const Comparison& comparison) {
-  std::string text = what_was_done(comparison) + ".\n\n";
-  text += fmt::format("| {} |\n|---|", fmt::join(titles(), " | "));
-  for (std::size_t i = 2; i < titles().size(); ++i) text += "---:|";
-  text += "---|\n";
-  for (const ComparisonRow& row : comparison.rows)
-    text += fmt::format("| {} |\n", fmt::join(cells_of(row, comparison.repeats), " | "));
-  return text + "\n" + how_to_read(comparison);
+  return what_was_done(comparison) + ".\n\n" + table_of(comparison).markdown() + "\n" +
+         how_to_read(comparison);
 }
 
 }  // namespace armcal
