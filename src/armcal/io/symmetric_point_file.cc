@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
-#include <numbers>
 #include <set>
 
 #include "armcal/arm/parameter_table.h"
@@ -75,6 +75,18 @@ void read_reduced(TomlSection& section, SymmetricReading& reading,
   reading.reduced = true;
 }
 
+// A half turn the other way, or one that is not quite a half turn.
+void read_turn(TomlSection& section, SymmetricReading& reading, Diagnostics& diagnostics) {
+  if (reading.kind != SymmetricKind::reversal) return;
+  const double turn_deg = section.number("turn_deg").value_or(180.0);
+  if (turn_deg == 0.0 || std::abs(turn_deg) > 360.0) {
+    diagnostics.error(section.where("turn_deg"),
+                      fmt::format("turn_deg is {}: must be within +-360 and not 0", turn_deg));
+  }
+  const bool has_joint = reading.joint >= 1 && reading.joint <= reading.posture_rad.size();
+  if (has_joint) reading.posture_end_rad(reading.joint - 1) += radians_from_degrees(turn_deg);
+}
+
 SymmetricReading read_reading(TomlSection section, const std::string& path, std::size_t number,
                               std::optional<double> default_u_mm, Diagnostics& diagnostics) {
   SymmetricReading reading;
@@ -94,6 +106,7 @@ SymmetricReading read_reading(TomlSection section, const std::string& path, std:
         posture->unaryExpr([](double angle) { return radians_from_degrees(angle); });
     reading.posture_end_rad = reading.posture_rad;
   }
+  read_turn(section, reading, diagnostics);
   const auto file = section.text("file");
   if (kind && file) {
     reading.raw = RawSymmetricPoints{};
@@ -165,16 +178,13 @@ void check_posture(SymmetricReading& reading, const ArmModel& arm, Diagnostics& 
       return;
     }
     reading.posture_rad = Eigen::VectorXd::Zero(n);
+    reading.posture_end_rad = reading.posture_rad;
   } else if (reading.posture_rad.size() != n) {
     diagnostics.error(
         reading.where,
         fmt::format("reading \"{}\": posture_deg has {} angles, the arm has {} joints",
                     reading.name, reading.posture_rad.size(), n));
     return;
-  }
-  reading.posture_end_rad = reading.posture_rad;
-  if (reading.kind == SymmetricKind::reversal) {
-    reading.posture_end_rad(reading.joint - 1) += std::numbers::pi;
   }
 }
 
