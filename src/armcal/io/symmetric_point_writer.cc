@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <filesystem>
 #include <numbers>
 #include <optional>
 #include <set>
@@ -14,6 +13,8 @@
 #include "armcal/core/invariant.h"
 #include "armcal/io/csv_text.h"
 #include "armcal/io/number_text.h"
+#include "armcal/io/path_reference.h"
+#include "armcal/io/toml_text.h"
 #include "armcal/io/toml_value.h"
 
 namespace armcal {
@@ -33,33 +34,6 @@ std::string file_stem(const std::string& name) {
   }
   while (!stem.empty() && (stem.back() == '-' || stem.back() == '.')) stem.pop_back();
   return stem.empty() || stem.front() == '.' ? "reading" + stem : stem;
-}
-
-std::string beside(const std::string& file, const std::string& name) {
-  return (std::filesystem::path(file).parent_path() / name).lexically_normal().string();
-}
-
-std::string relative_path(const std::string& from_file, const std::string& path) {
-  const auto folder = std::filesystem::path(from_file).parent_path();
-  if (path == "-" || std::filesystem::path(path).is_absolute() || folder.empty()) return path;
-  const auto relative = std::filesystem::path(path).lexically_relative(folder);
-  return relative.empty() ? path : relative.string();
-}
-
-std::string list(const std::vector<std::string>& texts) {
-  std::string text = "[";
-  for (std::size_t i = 0; i < texts.size(); ++i) {
-    text += (i == 0 ? "" : ", ") + toml_quoted(texts[i]);
-  }
-  return text + "]";
-}
-
-std::string degrees_list(const Eigen::VectorXd& angles_rad) {
-  std::string text = "[";
-  for (Eigen::Index i = 0; i < angles_rad.size(); ++i) {
-    text += (i == 0 ? "" : ", ") + degrees_text(angles_rad(i));
-  }
-  return text + "]";
 }
 
 std::string turn_text(const SymmetricReading& reading) {
@@ -97,7 +71,7 @@ std::string reading_text(const SymmetricReading& reading, const std::string& pro
       reading.kind == SymmetricKind::zero_search && reading.sweep != reading.joint - 1;
   if (other_sweep) text += fmt::format("sweep = {}\n", reading.sweep);
   if (reading.posture_rad.size() > 0) {
-    text += fmt::format("posture_deg = {}\n", degrees_list(reading.posture_rad));
+    text += fmt::format("posture_deg = {}\n", toml_degrees(reading.posture_rad));
   }
   text += turn_text(reading);
   if (!reading.reduced) {
@@ -114,8 +88,8 @@ std::string reading_text(const SymmetricReading& reading, const std::string& pro
 std::string adjust_text(const SymmetricPointProcedure& procedure) {
   const SymmetricPointProcedure usual;
   std::string text;
-  if (!procedure.unknowns.empty()) text += "unknowns = " + list(procedure.unknowns) + "\n";
-  if (!procedure.hold.empty()) text += "hold = " + list(procedure.hold) + "\n";
+  if (!procedure.unknowns.empty()) text += "unknowns = " + toml_list(procedure.unknowns) + "\n";
+  if (!procedure.hold.empty()) text += "hold = " + toml_list(procedure.hold) + "\n";
   if (procedure.significance != usual.significance) {
     text += fmt::format("significance = {}\n", shortest_text(procedure.significance));
   }
@@ -125,26 +99,19 @@ std::string adjust_text(const SymmetricPointProcedure& procedure) {
   return text.empty() ? "" : "\n[adjust]\n" + text;
 }
 
-bool is_angle(const std::string& parameter) {
-  return parameter.starts_with("zero") || parameter.starts_with("alpha") ||
-         parameter.starts_with("beta") || parameter.starts_with("cos") ||
-         parameter.starts_with("sin");
-}
-
 std::string claims_text(const std::vector<Claim>& claims) {
   std::string text;
   std::optional<double> u_mm;
   std::optional<double> u_rad;
   for (const Claim& claim : claims) {
-    const bool angle = is_angle(claim.parameter);
+    const bool angle = is_angle_parameter(claim.parameter);
     std::optional<double>& u = angle ? u_rad : u_mm;
     if (u && *u != claim.u) {
       throw std::invalid_argument(fmt::format(
           "the claim of {} has another uncertainty than those before it", claim.parameter));
     }
     u = claim.u;
-    text += fmt::format("{}{} = {}\n", claim.parameter, angle ? "_deg" : "_mm",
-                        angle ? degrees_text(claim.value) : shortest_text(claim.value));
+    text += toml_parameter(claim.parameter, claim.value) + "\n";
   }
   if (u_mm) text += fmt::format("u_mm = {}\n", shortest_text(*u_mm));
   if (u_rad) text += fmt::format("u_deg = {}\n", degrees_text(*u_rad));
@@ -168,9 +135,9 @@ void name_point_files(SymmetricPointProcedure& procedure) {
     if (!reading.raw) reading.raw = RawSymmetricPoints{};
     if (!reading.raw->file.empty()) continue;
     const std::string stem = file_stem(reading.name);
-    std::string file = beside(procedure.file, stem + ".csv");
+    std::string file = resolved_path(procedure.file, stem + ".csv");
     for (int number = 2; !taken.insert(file).second; ++number) {
-      file = beside(procedure.file, fmt::format("{}-{}.csv", stem, number));
+      file = resolved_path(procedure.file, fmt::format("{}-{}.csv", stem, number));
     }
     reading.raw->file = file;
   }
@@ -189,7 +156,7 @@ std::string symmetric_point_text(const SymmetricPointProcedure& procedure, const
   }
   text += adjust_text(named);
   if (!named.unknown_signs.empty()) {
-    text += fmt::format("\n[signs]\nunknown = {}\n", list(named.unknown_signs));
+    text += fmt::format("\n[signs]\nunknown = {}\n", toml_list(named.unknown_signs));
   }
   return text + claims_text(named.claims);
 }
