@@ -235,6 +235,12 @@ std::optional<SymmetricPointProcedure> read_symmetric_point_file(const TextFile&
     procedure.arm_file = resolved_path(file.path, *arm);
   const auto u_mm = root.number("u_mm");
   if (u_mm && !(*u_mm > 0.0)) diagnostics.error(root.where("u_mm"), "u_mm must be larger than 0");
+  if (const auto u = root.number("u_encoder_arcsec")) {
+    if (*u < 0.0) {
+      diagnostics.error(root.where("u_encoder_arcsec"), "u_encoder_arcsec must not be negative");
+    }
+    procedure.u_encoder_rad = radians_from_arcseconds(*u);
+  }
   for (TomlSection& section : root.sections("reading")) {
     procedure.readings.push_back(
         read_reading(section, file.path, procedure.readings.size() + 1, u_mm, diagnostics));

@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "armcal/core/invariant.h"
+#include "armcal/core/units.h"
 #include "armcal/io/csv_text.h"
 #include "armcal/io/number_text.h"
 #include "armcal/io/path_reference.h"
@@ -151,6 +152,10 @@ std::string symmetric_point_text(const SymmetricPointProcedure& procedure, const
   if (!name.empty()) text += fmt::format("name = {}\n", toml_quoted(name));
   if (!note.empty()) text += fmt::format("note = {}\n", toml_quoted(note));
   text += fmt::format("arm = {}\n", toml_quoted(relative_path(named.file, named.arm_file)));
+  if (named.u_encoder_rad > 0.0) {
+    text += fmt::format("u_encoder_arcsec = {}\n",
+                        decimal_text(arcseconds_from_radians(named.u_encoder_rad), 9));
+  }
   for (const SymmetricReading& reading : named.readings) {
     text += reading_text(reading, named.file);
   }
