@@ -17,6 +17,7 @@ namespace armcal::cli {
 [[nodiscard]] Command fit_command();
 [[nodiscard]] Command fk_command();
 [[nodiscard]] Command identifiability_command();
+[[nodiscard]] Command plan_command();
 [[nodiscard]] Command predict_command();
 [[nodiscard]] Command probe_command();
 [[nodiscard]] Command register_command();

@@ -10,15 +10,11 @@
 
 #include "armcal/core/spelling.h"
 #include "armcal/core/units.h"
+#include "armcal/io/path_reference.h"
 #include "armcal/io/toml_value.h"
 
 namespace armcal {
 namespace {
-
-std::string resolved(const std::string& session, const std::string& path) {
-  if (path == "-" || std::filesystem::path(path).is_absolute()) return path;
-  return (std::filesystem::path(session).parent_path() / path).lexically_normal().string();
-}
 
 std::optional<AngleUnit> angle_unit_of(TomlSection& section, Diagnostics& diagnostics) {
   const auto text = section.text("angles");
@@ -28,29 +24,6 @@ std::optional<AngleUnit> angle_unit_of(TomlSection& section, Diagnostics& diagno
   diagnostics.error(section.where("angles"),
                     fmt::format("angles is \"{}\": must be deg or rad", *text));
   return std::nullopt;
-}
-
-// The key under which a kind's place is named where no column does.
-const char* place_key(ReferenceKind kind) {
-  switch (kind) {
-    case ReferenceKind::reference_points:
-    case ReferenceKind::reference_poses:
-      return "setup";
-    case ReferenceKind::artefact:
-      return "placement";
-    case ReferenceKind::fixed_point:
-      return "point";
-    case ReferenceKind::sphere:
-      return "sphere";
-    case ReferenceKind::plane:
-      return "plane";
-    case ReferenceKind::length:
-      return "from";
-    case ReferenceKind::reversal:
-    case ReferenceKind::circle_radius:
-      return nullptr;
-  }
-  return nullptr;
 }
 
 void check_positive(TomlSection& section, const char* key, const std::optional<double>& value,
@@ -65,7 +38,7 @@ void read_kind_keys(TomlSection& section, SessionGroup& group, Diagnostics& diag
   switch (group.kind) {
     case ReferenceKind::artefact:
       if (const auto artefact = section.required_text("artefact")) {
-        group.artefact_file = resolved(group.where.file, *artefact);
+        group.artefact_file = resolved_path(group.where.file, *artefact);
       }
       break;
     case ReferenceKind::length:
@@ -115,7 +88,7 @@ SessionGroup read_group(TomlSection section, const std::string& path,
     }
     group.kind = known.value_or(group.kind);
   }
-  if (const auto file = section.text("file")) group.file = resolved(path, *file);
+  if (const auto file = section.text("file")) group.file = resolved_path(path, *file);
   const bool in_place = group.kind == ReferenceKind::length && section.has("length_mm");
   if (group.file.empty() && !in_place) {
     diagnostics.error(section.where(), "file is missing here",
@@ -182,7 +155,47 @@ void read_prior(TomlSection section, SessionEstimate& estimate, Diagnostics& dia
   }
 }
 
-void read_estimate(TomlSection section, SessionEstimate& estimate, Diagnostics& diagnostics) {
+// Groups are told apart by their names: the file's where none is given, with a number where that is
+// taken.
+void name_groups(std::vector<SessionGroup>& groups) {
+  std::map<std::string, int> count;
+  for (SessionGroup& group : groups) {
+    if (group.name.empty()) {
+      group.name = group.file.empty() ? fmt::format("{} {} to {}", to_string(group.kind),
+                                                    group.place, group.place_to)
+                                      : std::filesystem::path(group.file).stem().string();
+    }
+    const int number = ++count[group.name];
+    if (number > 1) group.name += fmt::format(" ({})", number);
+  }
+}
+
+}  // namespace
+
+const char* place_key(ReferenceKind kind) {
+  switch (kind) {
+    case ReferenceKind::reference_points:
+    case ReferenceKind::reference_poses:
+      return "setup";
+    case ReferenceKind::artefact:
+      return "placement";
+    case ReferenceKind::fixed_point:
+      return "point";
+    case ReferenceKind::sphere:
+      return "sphere";
+    case ReferenceKind::plane:
+      return "plane";
+    case ReferenceKind::length:
+      return "from";
+    case ReferenceKind::reversal:
+    case ReferenceKind::circle_radius:
+      return nullptr;
+  }
+  return nullptr;
+}
+
+SessionEstimate read_session_estimate(TomlSection& section, Diagnostics& diagnostics) {
+  SessionEstimate estimate;
   estimate.hold = section.texts("hold").value_or(std::vector<std::string>{});
   estimate.harmonics = section.integer("harmonics").value_or(0);
   constexpr int kMostHarmonics = 10;
@@ -203,24 +216,8 @@ void read_estimate(TomlSection section, SessionEstimate& estimate, Diagnostics& 
   estimate.check_seed = static_cast<std::uint64_t>(section.integer("check_seed").value_or(1));
   if (auto prior = section.section("prior")) read_prior(*prior, estimate, diagnostics);
   section.finish();
+  return estimate;
 }
-
-// Groups are told apart by their names: the file's where none is given, with a number where that is
-// taken.
-void name_groups(std::vector<SessionGroup>& groups) {
-  std::map<std::string, int> count;
-  for (SessionGroup& group : groups) {
-    if (group.name.empty()) {
-      group.name = group.file.empty() ? fmt::format("{} {} to {}", to_string(group.kind),
-                                                    group.place, group.place_to)
-                                      : std::filesystem::path(group.file).stem().string();
-    }
-    const int number = ++count[group.name];
-    if (number > 1) group.name += fmt::format(" ({})", number);
-  }
-}
-
-}  // namespace
 
 std::optional<Session> read_session_file(const TextFile& file, Diagnostics& diagnostics) {
   const std::size_t errors_before = diagnostics.error_count();
@@ -232,7 +229,7 @@ std::optional<Session> read_session_file(const TextFile& file, Diagnostics& diag
   session.file = file.path;
   session.name = root.text("name").value_or("");
   static_cast<void>(root.text("note"));
-  if (const auto arm = root.required_text("arm")) session.arm_file = resolved(file.path, *arm);
+  if (const auto arm = root.required_text("arm")) session.arm_file = resolved_path(file.path, *arm);
   const auto angles = angle_unit_of(root, diagnostics);
   for (TomlSection& section : root.sections("observations")) {
     session.groups.push_back(read_group(section, file.path, angles, diagnostics));
@@ -242,8 +239,9 @@ std::optional<Session> read_session_file(const TextFile& file, Diagnostics& diag
                       "write one [[observations]] for each file of readings");
   }
   name_groups(session.groups);
-  if (auto section = root.section("estimate"))
-    read_estimate(*section, session.estimate, diagnostics);
+  if (auto section = root.section("estimate")) {
+    session.estimate = read_session_estimate(*section, diagnostics);
+  }
   root.finish();
   if (diagnostics.error_count() > errors_before) return std::nullopt;
   return session;
