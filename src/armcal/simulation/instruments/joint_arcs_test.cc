@@ -15,7 +15,7 @@ namespace {
 
 ErrorSources geometry_only() {
   ErrorSources errors;
-  errors.geometry.enabled = true;
+  errors.geometry = GeometryErrors::typical();
   return errors;
 }
 
