@@ -13,6 +13,10 @@ int count_readings(const std::vector<ObservationGroup>& groups) {
   return static_cast<int>(count);
 }
 
+void state_encoders(const Bench& bench, std::vector<ObservationGroup>& groups) {
+  for (ObservationGroup& group : groups) group.u_encoder_rad = bench.u_encoder_rad();
+}
+
 std::vector<ObservationGroup> cone_and_length(const Bench& bench) {
   Laboratory laboratory = bench.laboratory();
   return measure(laboratory, TwoSeats{.u_length_mm = bench.u_length_mm,

@@ -12,6 +12,9 @@ namespace armcal {
 /// Postures at which the arm was read.
 [[nodiscard]] int count_readings(const std::vector<ObservationGroup>& groups);
 
+/// States how uncertain the encoders are, for those who can weigh it.
+void state_encoders(const Bench& bench, std::vector<ObservationGroup>& groups);
+
 /// Readings in two cones of known distance, the whole budget of them: what least squares and the
 /// searches without derivatives are compared on. @throws Impossible
 [[nodiscard]] std::vector<ObservationGroup> cone_and_length(const Bench& bench);

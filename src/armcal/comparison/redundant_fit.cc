@@ -53,6 +53,7 @@ FoundArm redundant_fit(const ArmModel& nominal, std::span<const ObservationGroup
       pointers.push_back(residual.get());
     }
   }
+  weigh_all(residuals, unknowns, x);
   const EstimationProblem problem(pointers, unknowns, {});
   LeastSquaresOptions options;
   options.residual_resolution = problem.residual_resolution();

@@ -27,6 +27,7 @@ int times(const Bench& bench, int readings_each) {
 TakenReadings to_be_calibrated(const Bench& bench, std::vector<ObservationGroup> groups,
                                CalibrationOptions options = {}) {
   options.monitor = bench.monitor;
+  state_encoders(bench, groups);
   const int count = count_readings(groups);
   return {count, [nominal = bench.arm.nominal(), groups = std::move(groups), options] {
             return found_arm(calibrate(nominal, groups, options));

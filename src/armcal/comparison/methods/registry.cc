@@ -6,7 +6,9 @@ namespace armcal {
 
 std::vector<Method> all_methods() {
   std::vector<Method> all;
-  for (const auto& family : {baseline_methods(), least_squares_methods(), population_methods()}) {
+  for (const auto& family :
+       {baseline_methods(), paper_methods(), half_turn_methods(), circle_point_methods(),
+        least_squares_methods(), population_methods()}) {
     all.insert(all.end(), family.begin(), family.end());
   }
   return all;

@@ -11,7 +11,10 @@ namespace armcal {
 
 // One file per family here; a new method is a row in its family.
 [[nodiscard]] std::vector<Method> baseline_methods();
+[[nodiscard]] std::vector<Method> circle_point_methods();
+[[nodiscard]] std::vector<Method> half_turn_methods();
 [[nodiscard]] std::vector<Method> least_squares_methods();
+[[nodiscard]] std::vector<Method> paper_methods();
 [[nodiscard]] std::vector<Method> population_methods();
 
 /// Every method, in the order of the table.
