@@ -3,14 +3,17 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <thread>
 
 #include "armcal/cli/commands.h"
 #include "armcal/comparison/comparison.h"
 #include "armcal/report/comparison_report.h"
+#include "armcal/report/paper_sphere_report.h"
 #include "armcal/report/session_comparison_report.h"
 #include "armcal/workflow/comparison_job.h"
 
@@ -22,6 +25,7 @@ struct Flags {
   std::optional<std::string> scenario;
   std::vector<std::string> methods;
   std::optional<double> seed, repeats, threads;
+  bool paper_sphere = false;
   std::optional<std::string> markdown;
 };
 
@@ -37,11 +41,11 @@ std::uint64_t whole_number(const std::string& flag, const std::optional<double>&
 }
 
 int threads_of(const Flags& flags) {
-  return static_cast<int>(whole_number("--threads", flags.threads, 2));
+  const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
+  return static_cast<int>(whole_number("--threads", flags.threads, cores));
 }
 
-void emit(const Flags& flags, const Context& context, InputFiles& files,
-          const auto& comparison) {
+void emit(const Flags& flags, const Context& context, InputFiles& files, const auto& comparison) {
   if (flags.markdown) context.save(*flags.markdown, markdown_result(comparison), files.records());
   context.emit(files.records(), files.diagnostics(), json_result(comparison),
                text_result(comparison));
@@ -75,8 +79,23 @@ int run_session(const Flags& flags, const Context& context) {
   return kDone;
 }
 
+int run_paper_sphere(const Flags& flags, const Context& context) {
+  if (flags.session || flags.scenario || !flags.methods.empty()) {
+    throw std::invalid_argument("--paper-sphere has its own arm and method");
+  }
+  PaperSphereOptions options;
+  options.arms = static_cast<int>(whole_number("--repeats", flags.repeats, 400));
+  options.seed = whole_number("--seed", flags.seed, options.seed);
+  options.threads = threads_of(flags);
+  options.monitor = context.monitor;
+  InputFiles no_files;
+  emit(flags, context, no_files, study_paper_sphere(options));
+  return kDone;
+}
+
 int run_compare(const Flags& flags, const Context& context) {
   if (flags.markdown) check_may_write(*flags.markdown, context.overwrite);
+  if (flags.paper_sphere) return run_paper_sphere(flags, context);
   return flags.session ? run_session(flags, context) : run_scenario(flags, context);
 }
 
@@ -109,12 +128,15 @@ Command compare_command() {
        {},
        NumberRange::positive},
       {"--threads",
-       "never changes a digit (but times); 2 if not given",
+       "at most so many; never changes a digit (but of times); all cores if not given",
        &flags->threads,
        "N",
        false,
        {},
        NumberRange::positive},
+      {"--paper-sphere",
+       "instead: which effect that the 2016 paper neglects explains the error of its sphere",
+       &flags->paper_sphere},
       {"--markdown", "write the table here, for a page", &flags->markdown, "FILE"}};
   command.examples = {"armcal compare --methods cmm"};
   command.run = [flags](const Context& context) { return run_compare(*flags, context); };

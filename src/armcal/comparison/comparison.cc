@@ -3,9 +3,9 @@
 #include "armcal/comparison/comparison.h"
 
 #include <algorithm>
-#include <chrono>
 #include <optional>
 
+#include "armcal/comparison/core_time.h"
 #include "armcal/comparison/methods/registry.h"
 #include "armcal/comparison/name_choice.h"
 #include "armcal/comparison/task_queue.h"
@@ -23,22 +23,24 @@ struct Outcome {
   std::string problem;
 };
 
+// Of a table; what could be done about it is for those who ask for just this.
+std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
+
 Outcome outcome_of(const Method& method, const Bench& bench, const Judge& judge) {
   Outcome outcome;
   try {
     const TakenReadings taken = method.take(bench);
     outcome.readings = taken.count;
-    const auto start = std::chrono::steady_clock::now();
+    const double start = core_seconds();
     const FoundArm found = taken.compute();
-    outcome.seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    outcome.seconds = core_seconds() - start;
     outcome.condition_number = found.condition_number;
     outcome.remark = found.remark;
     outcome.score = judge.score(found);
   } catch (const Impossible& reason) {
-    outcome.problem = reason.what();
+    outcome.problem = first_line(reason.what());
   } catch (const NumericalError& reason) {
-    outcome.problem = reason.what();
+    outcome.problem = first_line(reason.what());
   }
   return outcome;
 }

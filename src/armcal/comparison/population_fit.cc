@@ -26,6 +26,19 @@ std::vector<int> determined_parameters(const ArmModel& nominal,
   return determined;
 }
 
+// How soon, if at all, a search was as good as least squares on the same readings.
+std::string remark_of(const PopulationSearch& search, std::size_t parameters,
+                      double least_squares) {
+  const std::string size = fmt::format("{} parameters: ", parameters);
+  for (const PopulationSearch::Step& step : search.history) {
+    if (step.objective <= 1.01 * least_squares) {
+      return size + fmt::format("within 1 % of least squares after {} arms", step.evaluations);
+    }
+  }
+  return size + fmt::format("chi-squared {:.3g} times that of least squares after {} arms",
+                            search.objective / least_squares, search.evaluations);
+}
+
 Eigen::VectorXd half_widths(const ArmModel& nominal, const std::vector<int>& parameters,
                             const PopulationFitOptions& options) {
   const ParameterTable table(nominal);
@@ -56,8 +69,10 @@ FoundArm population_fit(const ArmModel& nominal, std::span<const ObservationGrou
     FoundArm found;
     found.arm = objective.arm(search.best);
     found.free = parameters;
-    found.remark = fmt::format("{} parameters, {} arms tried, chi-squared {:.4g}",
-                               parameters.size(), search.evaluations, search.objective);
+    const Calibration optimum = calibrate(nominal, groups, {.monitor = monitor});
+    if (optimum.ok()) {
+      found.remark = remark_of(search, parameters.size(), optimum.chi_squared);
+    }
     return found;
   } catch (const std::invalid_argument& reason) {
     throw NumericalError(reason.what());

@@ -60,11 +60,21 @@ ErrorSources geometry_and_noise() {
   return errors;
 }
 
+ErrorSources with_eccentric_scales() {
+  ErrorSources errors = geometry_and_noise();
+  errors.scale_eccentricity = ScaleEccentricity::typical();
+  return errors;
+}
+
 std::vector<Scenario> all_scenarios() {
   return {{.name = "romer",
            .title = "six joints as the ROMER Infinite 2.0, geometry errors, encoders of 2 arcsec",
            .nominal = romer(),
            .errors = geometry_and_noise()},
+          {.name = "romer-eccentric",
+           .title = "the same with eccentric scales: 5 arcsec once, 2 arcsec twice per turn",
+           .nominal = romer(),
+           .errors = with_eccentric_scales()},
           {.name = "seven-joint",
            .title = "seven joints, geometry errors, encoders of 2 arcsec",
            .nominal = seven_joints(),

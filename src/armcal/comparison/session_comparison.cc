@@ -3,9 +3,9 @@
 #include "armcal/comparison/session_comparison.h"
 
 #include <algorithm>
-#include <chrono>
 #include <stdexcept>
 
+#include "armcal/comparison/core_time.h"
 #include "armcal/comparison/methods/registry.h"
 #include "armcal/comparison/name_choice.h"
 #include "armcal/comparison/task_queue.h"
@@ -19,9 +19,9 @@ SessionComparisonRow row_of(const SessionMethod& method, const SessionReadings& 
   row.name = method.name;
   row.title = method.title;
   try {
-    const auto start = std::chrono::steady_clock::now();
+    const double start = core_seconds();
     const FoundArm found = method.compute(readings);
-    row.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    row.seconds = core_seconds() - start;
     row.parameters = static_cast<int>(found.free.size());
     row.condition_number = found.condition_number;
     row.remark = found.remark;

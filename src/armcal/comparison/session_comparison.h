@@ -29,7 +29,7 @@ struct SessionComparisonRow {
   std::optional<double> condition_number;
   std::optional<RowFigures> fitted;
   std::optional<RowFigures> held_out;
-  double seconds = 0.0;
+  double seconds = 0.0;  ///< of one core
   std::string remark;
   std::string problem;  ///< why it found nothing, or cannot be judged
 };

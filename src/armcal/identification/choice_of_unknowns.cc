@@ -4,7 +4,9 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/QR>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "armcal/arm/estimability.h"
@@ -32,9 +34,35 @@ std::string too_weak(const Parameter& parameter, double u) {
                      is_length ? "mm" : "deg");
 }
 
-std::vector<int> order_of_wish(const Unknowns& unknowns) {
+// A frame that points of a line place can turn about that line unseen. Of the three turns that
+// about the coordinate axis nearest to the line sticks out least of what shifts do, and is wanted
+// least: another one held in its place would leave two that are nearly the same.
+void put_weak_turns_last(const Eigen::MatrixXd& r, const Unknowns& unknowns,
+                         std::vector<int>& order) {
+  for (const Nuisance& nuisance : unknowns.nuisances()) {
+    if (nuisance.kind != NuisanceKind::frame) continue;
+    const auto first = static_cast<int>(nuisance.step);
+    const Eigen::HouseholderQR<Eigen::MatrixXd> shifts(r.middleCols(first + 3, 3));
+    Eigen::Vector3d sticks_out;
+    for (int turn = 0; turn < 3; ++turn) {
+      const Eigen::VectorXd rotated = shifts.householderQ().adjoint() * r.col(first + turn);
+      sticks_out(turn) = rotated.tail(rotated.size() - 3).norm();
+    }
+    std::array turns{0, 1, 2};
+    std::stable_sort(turns.begin(), turns.end(),
+                     [&](int one, int other) { return sticks_out(one) > sticks_out(other); });
+    const auto at = std::find(order.begin(), order.end(), first);
+    for (int i = 0; i < 3; ++i) {
+      *(at + i) = first + 3 + i;
+      *(at + 3 + i) = first + turns[static_cast<std::size_t>(i)];
+    }
+  }
+}
+
+std::vector<int> order_of_wish(const Eigen::MatrixXd& r, const Unknowns& unknowns) {
   std::vector<int> order;
   for (int i = unknowns.arm_size(); i < unknowns.step_size(); ++i) order.push_back(i);
+  put_weak_turns_last(r, unknowns, order);
   const ParameterTable table(unknowns.nominal());
   const auto& free = unknowns.free();
   for (const int index : wanted_order(unknowns.nominal(), table)) {
@@ -93,7 +121,7 @@ ChoiceOfUnknowns choose_unknowns(const Eigen::MatrixXd& r, const Unknowns& unkno
                                  const CalibrationOptions& options, bool scale_is_known) {
   const ParameterTable table(unknowns.nominal());
   const std::vector<std::string> all_names = unknowns.names();
-  std::vector<int> wanted = order_of_wish(unknowns);
+  std::vector<int> wanted = order_of_wish(r, unknowns);
   ChoiceOfUnknowns choice;
   for (;;) {
     std::vector<int> order(wanted.size());
