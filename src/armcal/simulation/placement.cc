@@ -24,6 +24,14 @@ std::string at(const Eigen::Vector3d& point) {
   return fmt::format("at ({:.1f}, {:.1f}, {:.1f}) mm", point.x(), point.y(), point.z());
 }
 
+RigidTransform any_place(Laboratory& laboratory, const Solid& solid) {
+  try {
+    return laboratory.convenient_place(0.0);
+  } catch (const Impossible& impossible) {
+    throw Impossible(fmt::format("{} cannot be measured: {}", solid.name, impossible.what()));
+  }
+}
+
 std::optional<Fault> fault_of(Laboratory& laboratory, const Solid& solid,
                               const RigidTransform& base_from_solid) {
   // What is cheap to know first: most places fail by it.
@@ -77,7 +85,7 @@ std::vector<Eigen::Vector3d> plate_body(double size_x_mm, double size_y_mm) {
 RigidTransform place_within_reach(Laboratory& laboratory, const Solid& solid) {
   std::optional<Fault> least;
   for (int i = 0; i < kPlaces; ++i) {
-    const RigidTransform base_from_solid = laboratory.convenient_place(0.0);
+    const RigidTransform base_from_solid = any_place(laboratory, solid);
     auto fault = fault_of(laboratory, solid, base_from_solid);
     if (!fault) return base_from_solid;
     if (!least || fault->right > least->right) least = std::move(fault);
