@@ -111,6 +111,9 @@ std::optional<std::string> VirtualArm::obstacle(const Eigen::VectorXd& encoder_r
 std::optional<Eigen::VectorXd> VirtualArm::posture_with_tip_at(
     const Eigen::Vector3d& point_mm, const Eigen::VectorXd& start_rad,
     const Circumstances& circumstances) const {
+  const Eigen::Vector3d shoulder = truth_.base_from_first_joint.translation_mm;
+  constexpr double kRoom = 1.01;  // for what lengthens an arm beyond its geometry
+  if ((point_mm - shoulder).norm() > kRoom * reach_mm(truth_)) return std::nullopt;
   // What is not geometry is small: aim beside the point by what is missing, a few times. Each time
   // gains at least two digits, for what is missing changes little with the posture.
   constexpr int kCorrections = 10;
