@@ -8,8 +8,6 @@
 #include "armcal/simulation/artefacts/ball_bar.h"
 #include "armcal/simulation/artefacts/cone_seat.h"
 #include "armcal/simulation/artefacts/feature_artefact.h"
-#include "armcal/simulation/artefacts/flat_surface.h"
-#include "armcal/simulation/artefacts/sphere_plate.h"
 #include "armcal/testing/random_geometry.h"
 #include "armcal/testing/wang2016_arm.h"
 
@@ -80,21 +78,30 @@ TEST(Placement, RefusesWhatIsLongerThanTheArmReaches) {
                                       "1463 mm"));
 }
 
-TEST(Placement, RefusesWhatWouldStickInTheBenchOrTheColumn) {
-  // A plate as large as the room that the arm reaches, about a column that stands through it.
-  const Surroundings column{.column_radius_mm = 300.0, .column_top_mm = 5000.0};
-  EXPECT_THAT(refusal(SpherePlate{.pitch_mm = 850.0}, column),
-              ::testing::MatchesRegex("plate-. does not fit within reach: even in the best of 300 "
-                                      "places its body at .* mm is inside the column, [0-9.]+ mm "
-                                      "from the first axis"));
-  const Surroundings high_bench{.bench_mm = 900.0};
-  EXPECT_THAT(refusal(FlatSurface{.size_mm = 1500.0}, high_bench),
-              ::testing::HasSubstr(" mm below the bench"));
+TEST(Placement, RefusesWhatWouldStickInTheBench) {
+  // As wide as a hall: somewhere it goes through the floor.
+  Solid table{.name = "table", .features = {{"middle"}}};
+  for (int axis = 0; axis < 2; ++axis) {
+    table.body_mm.emplace_back(1e6 * Eigen::Vector3d::Unit(axis));
+    table.body_mm.emplace_back(-1e6 * Eigen::Vector3d::Unit(axis));
+  }
+  Laboratory laboratory = laboratory_with({.bench_mm = -50.0}, 5);
+  try {
+    static_cast<void>(place_within_reach(laboratory, table));
+    FAIL();
+  } catch (const Impossible& impossible) {
+    EXPECT_THAT(
+        impossible.what(),
+        ::testing::MatchesRegex("table does not fit within reach: even in the best of 300 "
+                                "places its body at \\(.*\\) mm is [0-9.]+ mm below the bench"));
+  }
 }
 
 TEST(Placement, RefusesAnArmThatCannotStandAnywhere) {
   const Surroundings roof{.bench_mm = 2000.0};
-  EXPECT_THAT(refusal(ConeSeat{}, roof), ::testing::HasSubstr("below the bench"));
+  EXPECT_THAT(refusal(ConeSeat{}, roof),
+              ::testing::AllOf(::testing::StartsWith("cone-1 cannot be measured: none of "),
+                               ::testing::HasSubstr("below the bench")));
 }
 
 TEST(Obstruction, SaysHowDeep) {
