@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "armcal/arm/forward_kinematics.h"
 #include "armcal/arm/parameter_table.h"
 #include "armcal/symmetric_point/analysis.h"
 #include "armcal/symmetric_point/reading_model.h"
@@ -188,6 +189,28 @@ TEST(SymmetricProcedure, KeepsToStops) {
   EXPECT_NEAR(*low, radians_from_degrees(-30.0), 1e-9);  // shifted up from its stop
   EXPECT_NEAR(*high, radians_from_degrees(120.0), 1e-9);
   EXPECT_EQ(raw.points_mm.size(), 7u * 12u);
+}
+
+TEST(SymmetricProcedure, IsCarriedOutRightAboveTheBench) {
+  const ArmModel arm = nominal_romer();
+  SymmetricPointProcedure plan;
+  plan.readings = {wang2016_procedure().readings[7]};  // both ends as high as each other
+  const auto& posture = plan.readings[0].posture_rad;
+  const double height_mm =
+      ForwardKinematics(arm).tip_in_base({posture.data(), static_cast<std::size_t>(6)}).z();
+  const auto lowest_tip = [&](double bench_mm) {
+    Laboratory laboratory(VirtualArm(arm, arm, {}, 1, {.bench_mm = bench_mm}), 7);
+    const auto done = carry_out(laboratory, plan, kNoiseless);
+    double lowest_mm = 1e9;
+    for (const auto& at : done.readings[0].raw->encoder_rad.colwise()) {
+      const Eigen::VectorXd e = at;
+      lowest_mm = std::min(lowest_mm, ForwardKinematics(arm).tip_in_base({e.data(), 6}).z());
+    }
+    return lowest_mm;
+  };
+  ASSERT_LT(height_mm, -100.0);  // the tip is the lowest point of the arm
+  EXPECT_GE(lowest_tip(height_mm - 0.01), height_mm - 0.01);
+  EXPECT_THROW(lowest_tip(height_mm + 1.0), Impossible);
 }
 
 TEST(SymmetricProcedure, RefusesPosturesThatTheArmCannotTake) {

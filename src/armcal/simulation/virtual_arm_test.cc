@@ -49,6 +49,12 @@ TEST(VirtualArm, WithoutErrorsIsItsDrawing) {
         ForwardKinematics(drawing).tip_in_base({e.data(), static_cast<std::size_t>(e.size())});
     EXPECT_LT((arm.tip(e, rough()) - tip).norm(), 1e-11);
     EXPECT_EQ(arm.shown(e, random), e);
+    ArmModel bare = drawing;
+    bare.tip.roll_pitch_yaw_rad.setZero();
+    const Eigen::Matrix3d turn = ForwardKinematics(bare)
+                                     .base_from_tip({e.data(), static_cast<std::size_t>(e.size())})
+                                     .rotation;
+    EXPECT_LT((arm.base_from_last_joint(e, rough()) - turn).norm(), 1e-13);
   }
 }
 
