@@ -44,10 +44,10 @@ struct CirclePointAnalysis {
 /// is that one posture is all it sees, and that an axis is the better known the longer its arc and
 /// the farther the tip.
 ///
-/// The method is described in B. W. Mooring, Z. S. Roth, M. R. Driels, Fundamentals of Manipulator
-/// Calibration, Wiley 1991, and ranked among others in J. M. Hollerbach, C. W. Wampler, Int. J.
-/// Robotics Research 15(6), 1996, 573-591, doi:10.1177/027836499601500604; with a laser tracker in
-/// A. Vorotnikov et al., 26th DAAAM Symposium 2016, doi:10.2507/26th.daaam.proceedings.125. Here
+/// With a laser tracker: A. Vorotnikov et al., 26th DAAAM Symposium 2016, 897-904,
+/// doi:10.2507/26th.daaam.proceedings.125; step by step: the manual of SScanSS-2, "Circle Point
+/// Analysis"; the textbook of the field is B. W. Mooring, Z. S. Roth, M. R. Driels, Fundamentals of
+/// Manipulator Calibration, Wiley 1991. None was followed to the letter: here
 /// circles are fitted by orthogonal distances, every point helps to place the tip at home (turned
 /// back about its axis), and the arm is written in the parameters of the nominal one by
 /// `arm_from_axes`; encoder harmonics and what axes cannot tell stay nominal.
