@@ -14,7 +14,9 @@ std::vector<Command> all_commands() {
           identifiability_command(),
           predict_command(),
           probe_command(),
+          plan_command(),
           verify_command(),
+          compare_command(),
           convert_command(),
           diff_command()};
 }

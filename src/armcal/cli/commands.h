@@ -10,12 +10,14 @@ namespace armcal::cli {
 
 // One file per verb. A new verb is a new file here, a line below, and a line in commands.cc.
 [[nodiscard]] Command calibrate_command();
+[[nodiscard]] Command compare_command();
 [[nodiscard]] Command convert_command();
 [[nodiscard]] Command demo_command();
 [[nodiscard]] Command diff_command();
 [[nodiscard]] Command fit_command();
 [[nodiscard]] Command fk_command();
 [[nodiscard]] Command identifiability_command();
+[[nodiscard]] Command plan_command();
 [[nodiscard]] Command predict_command();
 [[nodiscard]] Command probe_command();
 [[nodiscard]] Command register_command();

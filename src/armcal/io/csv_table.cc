@@ -433,6 +433,19 @@ std::optional<std::size_t> CsvTable::find(std::string_view name) const {
   return std::nullopt;
 }
 
+CsvTable CsvTable::with_rows(std::span<const std::size_t> rows) const {
+  CsvTable part = *this;
+  part.fields_.clear();
+  part.lines_.clear();
+  for (const std::size_t row : rows) {
+    const auto first = fields_.begin() + static_cast<std::ptrdiff_t>(row * columns_.size());
+    part.fields_.insert(part.fields_.end(), first,
+                        first + static_cast<std::ptrdiff_t>(columns_.size()));
+    part.lines_.push_back(lines_[row]);
+  }
+  return part;
+}
+
 std::string CsvTable::header_list() const {
   std::string list;
   for (const CsvColumn& column : columns_) list += (list.empty() ? "" : ", ") + column.header;

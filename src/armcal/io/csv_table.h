@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -54,6 +55,9 @@ class CsvTable {
   [[nodiscard]] char separator() const { return separator_; }
   [[nodiscard]] bool decimal_comma() const { return decimal_comma_; }
   [[nodiscard]] std::size_t row_count() const { return lines_.size(); }
+
+  /// The same table with some of its rows, in this order; each keeps its line.
+  [[nodiscard]] CsvTable with_rows(std::span<const std::size_t> rows) const;
 
   /// Index of the column of this name (without unit), or nothing.
   [[nodiscard]] std::optional<std::size_t> find(std::string_view name) const;

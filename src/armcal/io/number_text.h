@@ -20,6 +20,9 @@ namespace armcal {
 /// "90.0".
 [[nodiscard]] std::string shortest_text(double value);
 
+/// Shortest text of the value rounded to so many decimal places: "12.5", "-3", "0".
+[[nodiscard]] std::string decimal_text(double value, int places);
+
 /// value * 10^places by moving the decimal point of its shortest text: 0.1273 m is 127.3 mm, which
 /// a product of doubles may miss by the last digit.
 [[nodiscard]] double with_point_moved(double value, int places);

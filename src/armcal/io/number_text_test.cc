@@ -50,6 +50,14 @@ TEST(ShortestText, AlwaysReadsAsAFloat) {
   EXPECT_EQ(shortest_text(1e300), "1e+300");
 }
 
+TEST(DecimalText, RoundsAndDropsWhatSaysNothing) {
+  EXPECT_EQ(decimal_text(12.5, 8), "12.5");
+  EXPECT_EQ(decimal_text(-3.0, 8), "-3");
+  EXPECT_EQ(decimal_text(100.0, 0), "100");
+  EXPECT_EQ(decimal_text(-1e-9, 8), "0");
+  EXPECT_EQ(decimal_text(1.23456, 3), "1.235");
+}
+
 TEST(DegreesText, GivesBackWhatAPersonTyped) {
   for (const double degrees : {90.0, -89.9683, 0.004, 0.1, 33.3, 360.0, 0.0}) {
     EXPECT_EQ(degrees_text(radians_from_degrees(degrees)), shortest_text(degrees));

@@ -347,6 +347,22 @@ std::optional<PointReadings> point_readings(const CsvTable& given, const TableOp
   return readings;
 }
 
+std::optional<CsvTable> rows_of_reading(const CsvTable& table, const std::string& name,
+                                        Diagnostics& diagnostics) {
+  const auto column = table.find("reading");
+  if (!column) return table;
+  std::vector<std::size_t> rows;
+  for (std::size_t row = 0; row < table.row_count(); ++row) {
+    if (table.field(row, *column) == name) rows.push_back(row);
+  }
+  if (rows.empty()) {
+    diagnostics.error({table.file().path, 0, 0},
+                      fmt::format("has no rows of reading \"{}\"", name));
+    return std::nullopt;
+  }
+  return table.with_rows(rows);
+}
+
 std::optional<RawSymmetricPoints> symmetric_points(const CsvTable& table,
                                                    const SymmetricReading& reading, int joint_count,
                                                    const TableOptions& options,

@@ -41,6 +41,12 @@ struct TableOptions {
                                                           const TableOptions& options,
                                                           Diagnostics& diagnostics);
 
+/// The rows of one reading in a table that several share: those whose column `reading` holds its
+/// name; the whole table where there is no such column. An error where there are none.
+[[nodiscard]] std::optional<CsvTable> rows_of_reading(const CsvTable& table,
+                                                      const std::string& name,
+                                                      Diagnostics& diagnostics);
+
 /// Points of a raw symmetric-point reading: x y z; `end` (A or B) where the reading needs it; joint
 /// angles where they were recorded, at least that of the searched joint for a zero search. Points
 /// at 0 0 0 and equal rows are errors unless `options` keep them.

@@ -10,6 +10,7 @@
 
 #include "armcal/core/spelling.h"
 #include "armcal/core/units.h"
+#include "armcal/io/path_reference.h"
 #include "armcal/io/toml_value.h"
 
 namespace armcal {
@@ -25,29 +26,6 @@ std::optional<AngleUnit> angle_unit_of(TomlSection& section, Diagnostics& diagno
   return std::nullopt;
 }
 
-// The key under which a kind's place is named where no column does.
-const char* place_key(ReferenceKind kind) {
-  switch (kind) {
-    case ReferenceKind::reference_points:
-    case ReferenceKind::reference_poses:
-      return "setup";
-    case ReferenceKind::artefact:
-      return "placement";
-    case ReferenceKind::fixed_point:
-      return "point";
-    case ReferenceKind::sphere:
-      return "sphere";
-    case ReferenceKind::plane:
-      return "plane";
-    case ReferenceKind::length:
-      return "from";
-    case ReferenceKind::reversal:
-    case ReferenceKind::circle_radius:
-      return nullptr;
-  }
-  return nullptr;
-}
-
 void check_positive(TomlSection& section, const char* key, const std::optional<double>& value,
                     Diagnostics& diagnostics) {
   if (value && !(*value > 0.0)) {
@@ -56,11 +34,22 @@ void check_positive(TomlSection& section, const char* key, const std::optional<d
   }
 }
 
+// Standard uncertainty of an encoder reading; 0 says that encoders are exact.
+std::optional<double> u_encoder_of(TomlSection& section, Diagnostics& diagnostics) {
+  const auto arcsec = section.number("u_encoder_arcsec");
+  if (!arcsec) return std::nullopt;
+  if (!(*arcsec >= 0.0)) {
+    diagnostics.error(section.where("u_encoder_arcsec"),
+                      fmt::format("u_encoder_arcsec is {}: must not be negative", *arcsec));
+  }
+  return radians_from_arcseconds(*arcsec);
+}
+
 void read_kind_keys(TomlSection& section, SessionGroup& group, Diagnostics& diagnostics) {
   switch (group.kind) {
     case ReferenceKind::artefact:
       if (const auto artefact = section.required_text("artefact")) {
-        group.artefact_file = path_beside(group.where.file, *artefact);
+        group.artefact_file = resolved_path(group.where.file, *artefact);
       }
       break;
     case ReferenceKind::length:
@@ -97,8 +86,14 @@ void read_kind_keys(TomlSection& section, SessionGroup& group, Diagnostics& diag
   }
 }
 
+// What the top of a session says for all of its groups.
+struct SessionDefaults {
+  std::optional<AngleUnit> angles;
+  double u_encoder_rad = 0.0;
+};
+
 SessionGroup read_group(TomlSection section, const std::string& path,
-                        std::optional<AngleUnit> angles, Diagnostics& diagnostics) {
+                        const SessionDefaults& defaults, Diagnostics& diagnostics) {
   SessionGroup group;
   group.where = section.where();
   const auto kind = section.required_text("kind");
@@ -110,7 +105,7 @@ SessionGroup read_group(TomlSection section, const std::string& path,
     }
     group.kind = known.value_or(group.kind);
   }
-  if (const auto file = section.text("file")) group.file = path_beside(path, *file);
+  if (const auto file = section.text("file")) group.file = resolved_path(path, *file);
   const bool in_place = group.kind == ReferenceKind::length && section.has("length_mm");
   if (group.file.empty() && !in_place) {
     diagnostics.error(section.where(), "file is missing here",
@@ -119,6 +114,7 @@ SessionGroup read_group(TomlSection section, const std::string& path,
   group.name = section.text("name").value_or("");
   group.u_mm = section.number("u_mm");
   check_positive(section, "u_mm", group.u_mm, diagnostics);
+  group.u_encoder_rad = u_encoder_of(section, diagnostics).value_or(defaults.u_encoder_rad);
   group.set = section.text("set").value_or("");
   if (!group.set.empty() && group.set != "fit" && group.set != "check") {
     diagnostics.error(section.where("set"),
@@ -134,7 +130,7 @@ SessionGroup read_group(TomlSection section, const std::string& path,
   }
   group.target = section.text("target").value_or("");
   group.table.angles = angle_unit_of(section, diagnostics);
-  if (!group.table.angles) group.table.angles = angles;
+  if (!group.table.angles) group.table.angles = defaults.angles;
   group.table.keep_duplicates = section.boolean("keep_duplicates").value_or(false);
   group.table.keep_zero_points = section.boolean("keep_zero_points").value_or(false);
   if (auto map = section.section("map")) {
@@ -177,7 +173,47 @@ void read_prior(TomlSection section, SessionEstimate& estimate, Diagnostics& dia
   }
 }
 
-void read_estimate(TomlSection section, SessionEstimate& estimate, Diagnostics& diagnostics) {
+// Groups are told apart by their names: the file's where none is given, with a number where that is
+// taken.
+void name_groups(std::vector<SessionGroup>& groups) {
+  std::map<std::string, int> count;
+  for (SessionGroup& group : groups) {
+    if (group.name.empty()) {
+      group.name = group.file.empty() ? fmt::format("{} {} to {}", to_string(group.kind),
+                                                    group.place, group.place_to)
+                                      : std::filesystem::path(group.file).stem().string();
+    }
+    const int number = ++count[group.name];
+    if (number > 1) group.name += fmt::format(" ({})", number);
+  }
+}
+
+}  // namespace
+
+const char* place_key(ReferenceKind kind) {
+  switch (kind) {
+    case ReferenceKind::reference_points:
+    case ReferenceKind::reference_poses:
+      return "setup";
+    case ReferenceKind::artefact:
+      return "placement";
+    case ReferenceKind::fixed_point:
+      return "point";
+    case ReferenceKind::sphere:
+      return "sphere";
+    case ReferenceKind::plane:
+      return "plane";
+    case ReferenceKind::length:
+      return "from";
+    case ReferenceKind::reversal:
+    case ReferenceKind::circle_radius:
+      return nullptr;
+  }
+  return nullptr;
+}
+
+SessionEstimate read_session_estimate(TomlSection& section, Diagnostics& diagnostics) {
+  SessionEstimate estimate;
   estimate.hold = section.texts("hold").value_or(std::vector<std::string>{});
   estimate.harmonics = section.integer("harmonics").value_or(0);
   constexpr int kMostHarmonics = 10;
@@ -198,24 +234,8 @@ void read_estimate(TomlSection section, SessionEstimate& estimate, Diagnostics& 
   estimate.check_seed = static_cast<std::uint64_t>(section.integer("check_seed").value_or(1));
   if (auto prior = section.section("prior")) read_prior(*prior, estimate, diagnostics);
   section.finish();
+  return estimate;
 }
-
-// Groups are told apart by their names: the file's where none is given, with a number where that is
-// taken.
-void name_groups(std::vector<SessionGroup>& groups) {
-  std::map<std::string, int> count;
-  for (SessionGroup& group : groups) {
-    if (group.name.empty()) {
-      group.name = group.file.empty() ? fmt::format("{} {} to {}", to_string(group.kind),
-                                                    group.place, group.place_to)
-                                      : std::filesystem::path(group.file).stem().string();
-    }
-    const int number = ++count[group.name];
-    if (number > 1) group.name += fmt::format(" ({})", number);
-  }
-}
-
-}  // namespace
 
 std::optional<Session> read_session_file(const TextFile& file, Diagnostics& diagnostics) {
   const std::size_t errors_before = diagnostics.error_count();
@@ -227,18 +247,20 @@ std::optional<Session> read_session_file(const TextFile& file, Diagnostics& diag
   session.file = file.path;
   session.name = root.text("name").value_or("");
   static_cast<void>(root.text("note"));
-  if (const auto arm = root.required_text("arm")) session.arm_file = path_beside(file.path, *arm);
-  const auto angles = angle_unit_of(root, diagnostics);
+  if (const auto arm = root.required_text("arm")) session.arm_file = resolved_path(file.path, *arm);
+  const SessionDefaults defaults{angle_unit_of(root, diagnostics),
+                                 u_encoder_of(root, diagnostics).value_or(0.0)};
   for (TomlSection& section : root.sections("observations")) {
-    session.groups.push_back(read_group(section, file.path, angles, diagnostics));
+    session.groups.push_back(read_group(section, file.path, defaults, diagnostics));
   }
   if (session.groups.empty()) {
     diagnostics.error({file.path, 0, 0}, "has no observations",
                       "write one [[observations]] for each file of readings");
   }
   name_groups(session.groups);
-  if (auto section = root.section("estimate"))
-    read_estimate(*section, session.estimate, diagnostics);
+  if (auto section = root.section("estimate")) {
+    session.estimate = read_session_estimate(*section, diagnostics);
+  }
   root.finish();
   if (diagnostics.error_count() > errors_before) return std::nullopt;
   return session;

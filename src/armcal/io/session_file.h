@@ -14,6 +14,8 @@
 
 namespace armcal {
 
+class TomlSection;
+
 /// One [[observations]] of a session: which file, what kind, and what holds for all of its rows.
 struct SessionGroup {
   std::string name;
@@ -24,6 +26,7 @@ struct SessionGroup {
   std::string artefact_file;  ///< artefact: calibrated coordinates of its features
   TableOptions table;
   std::optional<double> u_mm;
+  double u_encoder_rad = 0.0;
   std::string set;       ///< "fit", "check" or empty: not said
   std::string place;     ///< set-up, placement, point, sphere or plane where no column names it
   std::string place_to;  ///< length: the second point
@@ -60,5 +63,12 @@ struct Session {
 /// `diagnostics`; with errors nothing is returned.
 [[nodiscard]] std::optional<Session> read_session_file(const TextFile& file,
                                                        Diagnostics& diagnostics);
+
+/// Reads a table [estimate], to its end.
+[[nodiscard]] SessionEstimate read_session_estimate(TomlSection& section, Diagnostics& diagnostics);
+
+/// The key under which a kind's place is named where no column does: setup, placement, point,
+/// sphere, plane, from; null where a kind has none.
+[[nodiscard]] const char* place_key(ReferenceKind kind);
 
 }  // namespace armcal

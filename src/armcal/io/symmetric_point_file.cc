@@ -5,12 +5,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <set>
 
 #include "armcal/arm/parameter_table.h"
 #include "armcal/core/spelling.h"
 #include "armcal/core/units.h"
+#include "armcal/io/path_reference.h"
 #include "armcal/io/plausibility.h"
 #include "armcal/io/toml_value.h"
 
@@ -69,6 +71,18 @@ void read_reduced(TomlSection& section, SymmetricReading& reading,
   reading.reduced = true;
 }
 
+// A half turn the other way, or one that is not quite a half turn.
+void read_turn(TomlSection& section, SymmetricReading& reading, Diagnostics& diagnostics) {
+  if (reading.kind != SymmetricKind::reversal) return;
+  const double turn_deg = section.number("turn_deg").value_or(180.0);
+  if (turn_deg == 0.0 || std::abs(turn_deg) > 360.0) {
+    diagnostics.error(section.where("turn_deg"),
+                      fmt::format("turn_deg is {}: must be within +-360 and not 0", turn_deg));
+  }
+  const bool has_joint = reading.joint >= 1 && reading.joint <= reading.posture_rad.size();
+  if (has_joint) reading.posture_end_rad(reading.joint - 1) += radians_from_degrees(turn_deg);
+}
+
 SymmetricReading read_reading(TomlSection section, const std::string& path, std::size_t number,
                               std::optional<double> default_u_mm, Diagnostics& diagnostics) {
   SymmetricReading reading;
@@ -88,10 +102,11 @@ SymmetricReading read_reading(TomlSection section, const std::string& path, std:
         posture->unaryExpr([](double angle) { return radians_from_degrees(angle); });
     reading.posture_end_rad = reading.posture_rad;
   }
+  read_turn(section, reading, diagnostics);
   const auto file = section.text("file");
   if (kind && file) {
     reading.raw = RawSymmetricPoints{};
-    reading.raw->file = path_beside(path, *file);
+    reading.raw->file = resolved_path(path, *file);
     reading.u = section.number("u_mm").value_or(0.0);
     if (reading.u < 0.0) diagnostics.error(section.where("u_mm"), "u_mm must not be negative");
   } else if (kind) {
@@ -159,16 +174,13 @@ void check_posture(SymmetricReading& reading, const ArmModel& arm, Diagnostics& 
       return;
     }
     reading.posture_rad = Eigen::VectorXd::Zero(n);
+    reading.posture_end_rad = reading.posture_rad;
   } else if (reading.posture_rad.size() != n) {
     diagnostics.error(
         reading.where,
         fmt::format("reading \"{}\": posture_deg has {} angles, the arm has {} joints",
                     reading.name, reading.posture_rad.size(), n));
     return;
-  }
-  reading.posture_end_rad = reading.posture_rad;
-  if (reading.kind == SymmetricKind::reversal) {
-    reading.posture_end_rad(reading.joint - 1) += std::numbers::pi;
   }
 }
 
@@ -220,9 +232,16 @@ std::optional<SymmetricPointProcedure> read_symmetric_point_file(const TextFile&
   procedure.file = file.path;
   static_cast<void>(root.text("name"));
   static_cast<void>(root.text("note"));
-  if (const auto arm = root.required_text("arm")) procedure.arm_file = path_beside(file.path, *arm);
+  if (const auto arm = root.required_text("arm"))
+    procedure.arm_file = resolved_path(file.path, *arm);
   const auto u_mm = root.number("u_mm");
   if (u_mm && !(*u_mm > 0.0)) diagnostics.error(root.where("u_mm"), "u_mm must be larger than 0");
+  if (const auto u = root.number("u_encoder_arcsec")) {
+    if (*u < 0.0) {
+      diagnostics.error(root.where("u_encoder_arcsec"), "u_encoder_arcsec must not be negative");
+    }
+    procedure.u_encoder_rad = radians_from_arcseconds(*u);
+  }
   for (TomlSection& section : root.sections("reading")) {
     procedure.readings.push_back(
         read_reading(section, file.path, procedure.readings.size() + 1, u_mm, diagnostics));

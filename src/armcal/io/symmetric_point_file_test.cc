@@ -145,6 +145,17 @@ TEST(SymmetricPointFile, NamesWhatDoesNotSuitTheArm) {
               HasSubstr("two readings are named \"reading 1\""));
 }
 
+TEST(SymmetricPointFile, TurnsAJointTheOtherWayWhereItSaysSo) {
+  const std::string head = "[[reading]]\nkind = \"reversal\"\njoint = 3\ndistance_mm = 100\n";
+  SymmetricPointProcedure procedure =
+      read(head + "posture_deg = [0, 0, 90, 0, 0, 0]\nturn_deg = -180\n");
+  Diagnostics diagnostics;
+  ASSERT_TRUE(check_against_arm(procedure, testing::nominal_romer(), diagnostics));
+  EXPECT_NEAR(procedure.readings[0].posture_end_rad(2), -std::numbers::pi / 2.0, 1e-15);
+  EXPECT_THAT(complaint(head + "posture_deg = [0, 0, 0, 0, 0, 0]\nturn_deg = 0\n"),
+              HasSubstr(":9:1: error: turn_deg is 0: must be within +-360 and not 0"));
+}
+
 RC_GTEST_PROP(SymmetricPointFile, SurvivesAnyBytes, (const std::string& text)) {
   Diagnostics diagnostics;
   const bool read = read_symmetric_point_file(file(kHead + text), diagnostics).has_value();

@@ -16,6 +16,7 @@ ObservationGroup group_of(ReferenceKind kind, int rows, int places) {
     group.lines.push_back(row + 2);
     group.is_check.push_back(false);
     group.place.push_back("P" + std::to_string(row % places));
+    if (kind == ReferenceKind::length) group.place_to.push_back("Q");
   }
   return group;
 }
@@ -49,6 +50,18 @@ TEST(HoldingOut, TakesRowsOfFewPointsAndNoLengths) {
   hold_out(groups, 0.5, 1);
   EXPECT_EQ(held_out(groups[0]), 30);
   EXPECT_EQ(held_out(groups[1]), 0);
+}
+
+TEST(HoldingOut, LeavesEveryLengthItsEnds) {
+  std::vector<ObservationGroup> groups = {group_of(ReferenceKind::fixed_point, 60, 6),
+                                          group_of(ReferenceKind::length, 1, 1)};
+  hold_out(groups, 0.5, 1);
+  EXPECT_EQ(held_out(groups[0]), 30);
+  std::set<std::string> in;
+  for (std::size_t row = 0; row < 60; ++row) {
+    if (!groups[0].is_check[row]) in.insert(groups[0].place[row]);
+  }
+  EXPECT_EQ(in.size(), 6u);
 }
 
 TEST(HoldingOut, IsTheSameForTheSameSeedOnly) {

@@ -40,6 +40,7 @@ struct ObservationGroup {
   std::vector<int> lines;
   std::vector<bool> is_check;       ///< rows that are held out of the fit
   Eigen::VectorXd u_mm;             ///< standard uncertainty of a coordinate, distance or radius
+  double u_encoder_rad = 0.0;       ///< standard uncertainty of each encoder reading
   Eigen::MatrixXd encoder_rad;      ///< joints x rows; empty for lengths
   Eigen::MatrixXd encoder_end_rad;  ///< reversal: after the turn
   Eigen::Matrix3Xd
@@ -52,9 +53,9 @@ struct ObservationGroup {
   std::vector<std::string> place;
   std::vector<std::string> place_to;  ///< length: the second fixed point
   std::vector<std::string> feature;   ///< artefact: which of its points
-  std::vector<int> joint;             ///< circle_radius, reversal: that turns, from 1
-  std::optional<double> radius_mm;    ///< sphere: where it is known
-  double tip_radius_mm = 0.0;         ///< sphere: added to the radius (outside contact)
+  std::vector<int> joint;           ///< circle_radius, reversal, points on arcs: that turns, from 1
+  std::optional<double> radius_mm;  ///< sphere: where it is known
+  double tip_radius_mm = 0.0;       ///< sphere: added to the radius (outside contact)
   Eigen::Vector3d offset_mm =
       Eigen::Vector3d::Zero();  ///< of the measured point from the tip, in the tip's frame
   std::string target;  ///< not empty: the measured point is this unknown point of the last joint,

@@ -75,6 +75,9 @@ struct SymmetricPointProcedure {
   /// What may have the opposite sign of the nominal arm: parameters, and `direction4` for a
   /// counting direction.
   std::vector<std::string> unknown_signs;
+  /// Standard uncertainty of one reading of one encoder: what it adds to a distance is added to
+  /// that of each reading.
+  double u_encoder_rad = 0.0;
   double significance = 0.001;  ///< level of the outlier tests (each reading)
   double power = 0.80;          ///< with which the smallest detectable error is detected
 };

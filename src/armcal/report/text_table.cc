@@ -66,4 +66,20 @@ std::string TextTable::text(std::size_t indent) const {
   return result;
 }
 
+std::string TextTable::markdown() const {
+  std::string titles = "|";
+  std::string rule = "|";
+  for (const Column& column : columns_) {
+    titles += " " + column.title + " |";
+    rule += column.align == Align::right ? "---:|" : "---|";
+  }
+  std::string result = titles + "\n" + rule + "\n";
+  for (const auto& row : rows_) {
+    result += "|";
+    for (const std::string& cell : row) result += cell.empty() ? " |" : " " + cell + " |";
+    result += "\n";
+  }
+  return result;
+}
+
 }  // namespace armcal

@@ -24,6 +24,8 @@ class TextTable {
   [[nodiscard]] bool empty() const { return rows_.empty(); }
   /// Title row and all rows, each indented and ended by a newline.
   [[nodiscard]] std::string text(std::size_t indent = 2) const;
+  /// The same as a table of a Markdown page.
+  [[nodiscard]] std::string markdown() const;
 
  private:
   std::vector<Column> columns_;

@@ -26,5 +26,12 @@ TEST(TextTable, CountsWideCharactersDouble) {
   EXPECT_EQ(table.text(0), "n   v\n\xE5\x85\xB3  1\n");
 }
 
+TEST(TextTable, IsATableOfAMarkdownPageToo) {
+  TextTable table({{"method", Align::left}, {"rms mm"}});
+  table.add_row({"one cone", "0.1"});
+  table.add_row({"none", ""});
+  EXPECT_EQ(table.markdown(), "| method | rms mm |\n|---|---:|\n| one cone | 0.1 |\n| none | |\n");
+}
+
 }  // namespace
 }  // namespace armcal

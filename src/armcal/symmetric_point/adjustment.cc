@@ -80,12 +80,6 @@ class Problem {
   std::span<const SymmetricReading> readings_;
 };
 
-struct Choice {
-  std::vector<int> unknowns;  // what stays, most wanted first
-  std::vector<HeldParameter> held;
-  double condition_number = 1.0;
-};
-
 // What the readings are taken for: lengths that this arm has by design, and zeros that are
 // searched. An offset that is 0 by design moves the same readings, and would take the place of a
 // length.
@@ -110,9 +104,10 @@ std::vector<int> in_wanted_order(const ArmModel& arm, const ParameterTable& tabl
 }
 
 // Of the wanted parameters, those that this design can determine; in words why not the others.
-Choice choose_unknowns(const Eigen::MatrixXd& design, std::vector<int> wanted,
-                       const ParameterTable& table, const AdjustmentOptions& options) {
-  Choice choice;
+DeterminedParameters choose_unknowns(const Eigen::MatrixXd& design, std::vector<int> wanted,
+                                     const ParameterTable& table,
+                                     const AdjustmentOptions& options) {
+  DeterminedParameters choice;
   for (;;) {
     const Eigen::MatrixXd part = design(Eigen::all, wanted);
     std::vector<int> order(wanted.size());
@@ -244,11 +239,11 @@ Adjustment adjust_once(const ArmModel& nominal, std::span<const SymmetricReading
   // Which parameters are determined is asked at the nominal arm and again at the adjusted one:
   // symmetries of a nominal arm hide what the real one shows, and the other way round.
   const std::vector<int> wanted = in_wanted_order(nominal, table, readings, options.unknowns);
-  Choice choice;
+  DeterminedParameters choice;
   SmallSolution solution;
   constexpr int kRounds = 4;
   for (int round = 0; round < kRounds; ++round) {
-    const Choice next = choose_unknowns(design, wanted, table, options);
+    const DeterminedParameters next = choose_unknowns(design, wanted, table, options);
     const bool settled = round > 0 && next.unknowns == choice.unknowns;
     choice = next;
     if (settled) break;
@@ -345,6 +340,14 @@ Adjustment adjust(const ArmModel& nominal, std::span<const SymmetricReading> rea
     if (!current.ok()) break;
   }
   return result;
+}
+
+DeterminedParameters determined_parameters(const ArmModel& arm,
+                                           std::span<const SymmetricReading> readings,
+                                           const AdjustmentOptions& options) {
+  const ParameterTable table(arm);
+  return choose_unknowns(design_matrix(arm, readings),
+                         in_wanted_order(arm, table, readings, options.unknowns), table, options);
 }
 
 Eigen::MatrixXd design_matrix(const ArmModel& arm, std::span<const SymmetricReading> readings) {

@@ -93,6 +93,18 @@ struct AdjustmentOptions {
   double largest_useful_u_rad = 0.05;
 };
 
+/// What readings can determine of the parameters that are asked for.
+struct DeterminedParameters {
+  std::vector<int> unknowns;  ///< table indices, most wanted first
+  std::vector<HeldParameter> held;
+  double condition_number = 1.0;  ///< of the column-scaled design
+};
+
+/// The choice that `adjust` makes, at this arm. @param readings  with u > 0; values are not used
+[[nodiscard]] DeterminedParameters determined_parameters(const ArmModel& arm,
+                                                         std::span<const SymmetricReading> readings,
+                                                         const AdjustmentOptions& options);
+
 /// Weighted least squares over all readings, starting from `nominal`, which also gives every
 /// parameter that is not estimated. Data snooping: the reading with the largest normalised residual
 /// above the critical value is flagged, set aside, and the rest is tested again.

@@ -5,11 +5,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "armcal/arm/parameter_table.h"
 #include "armcal/numerics/median.h"
+#include "armcal/symmetric_point/encoder_share.h"
 #include "armcal/symmetric_point/reading_model.h"
+#include "armcal/symmetric_point/repeatability.h"
 
 namespace armcal {
 namespace {
@@ -103,6 +106,35 @@ void warn_of_wide_scatter(const SymmetricPointAnalysis& analysis, Diagnostics& d
   }
 }
 
+// How often the encoders were read for a reading.
+EncoderRepeats encoder_repeats(const SymmetricReading& reading) {
+  if (!reading.raw || reading.raw->encoder_rad.cols() == 0) return {};
+  const auto& ends = reading.raw->end;
+  if (ends.empty()) return {static_cast<int>(reading.raw->points_mm.size()), 0};
+  const auto at_a = std::count(ends.begin(), ends.end(), 'A');
+  return {static_cast<int>(at_a), static_cast<int>(std::ssize(ends) - at_a)};
+}
+
+// What repeats of one reading cannot tell of its uncertainty: the spread of all of them, and the
+// share of the encoders.
+void complete_uncertainties(const SymmetricPointProcedure& procedure,
+                            SymmetricPointAnalysis& analysis) {
+  share_repeatability(analysis.reductions);
+  auto reduction = analysis.reductions.begin();
+  for (std::size_t i = 0; i < analysis.readings.size(); ++i) {
+    SymmetricReading& reading = analysis.readings[i];
+    const bool was_raw = !procedure.readings[i].reduced;
+    const bool is_half_turn = reading.kind == SymmetricKind::reversal;
+    if (was_raw && is_half_turn) {
+      reading.u = std::hypot(reduction->u_type_a, procedure.readings[i].u);
+    }
+    if (was_raw) ++reduction;
+    const double share = u_from_encoders(analysis.nominal, reading, procedure.u_encoder_rad,
+                                         encoder_repeats(reading));
+    reading.u = std::hypot(reading.u, share);
+  }
+}
+
 // Of the chain where it is complete, else of the adjustment; none where neither exists.
 void add_leakage(SymmetricPointAnalysis& analysis) {
   std::optional<Leakage> leakage;
@@ -145,6 +177,7 @@ std::optional<SymmetricPointAnalysis> analyse_symmetric_points(
     if (!reduce_all(procedure.readings, analysis, diagnostics)) return std::nullopt;
   }
   warn_of_wide_scatter(analysis, diagnostics);
+  complete_uncertainties(procedure, analysis);
   analysis.predicted_by_nominal = predictions(analysis.nominal, analysis.readings);
 
   const ParameterTable table(analysis.nominal);

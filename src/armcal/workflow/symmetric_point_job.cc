@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <map>
+
 #include "armcal/io/symmetric_point_file.h"
 
 namespace armcal {
@@ -11,9 +13,13 @@ namespace {
 
 void read_raw_points(InputFiles& files, SymmetricPointProcedure& procedure, int joint_count,
                      const TableOptions& options) {
+  std::map<std::string, std::optional<CsvTable>> tables;  // several readings may share one
   for (SymmetricReading& reading : procedure.readings) {
     if (!reading.raw) continue;
-    const auto table = files.table(reading.raw->file, options);
+    const std::string& path = reading.raw->file;
+    if (!tables.contains(path)) tables.emplace(path, files.table(path, options));
+    if (!tables.at(path)) continue;
+    const auto table = rows_of_reading(*tables.at(path), reading.name, files.diagnostics());
     if (!table) continue;
     auto raw = symmetric_points(*table, reading, joint_count, options, files.diagnostics());
     if (raw) reading.raw = std::move(*raw);

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: the armcal authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "armcal/comparison/session_comparison.h"
+#include "armcal/report/document.h"
+
+namespace armcal {
+
+/// Keys: docs/commands/compare.md.
+[[nodiscard]] Json json_result(const SessionComparison& comparison);
+
+/// One table for a terminal.
+[[nodiscard]] std::string text_result(const SessionComparison& comparison);
+
+/// The same table for a page.
+[[nodiscard]] std::string markdown_result(const SessionComparison& comparison);
+
+}  // namespace armcal

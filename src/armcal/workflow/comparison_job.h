@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: the armcal authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "armcal/comparison/session_comparison.h"
+#include "armcal/workflow/input_files.h"
+
+namespace armcal {
+
+/// Where a session holds nothing out, so many of its rows are, to have something to judge by.
+inline constexpr double kSplitForComparison = 0.3;
+
+/// @throws InputError; NumericalError where nothing can be held out
+[[nodiscard]] SessionComparison run_session_comparison(InputFiles& files, const std::string& path,
+                                                       const SessionComparisonOptions& options);
+
+}  // namespace armcal
