@@ -45,7 +45,7 @@ struct PostureSearch {
 /// Encoder readings near `start_rad` that put the tip on a point: damped Newton steps of least
 /// motion (an arm with more joints than it needs moves no more than it must). Where the point is
 /// out of reach, or where limits bar the way, the posture is the one nearest to it that was seen.
-/// theory/kinematics.md eq. (14)-(15)
+/// theory/kinematics.md eq. (18)-(19)
 /// @param point_mm  in the base frame
 /// @param start_rad  brought inside the limits first
 [[nodiscard]] PostureSearch find_posture(const ForwardKinematics& kinematics,

@@ -162,6 +162,7 @@ void anneal(Search& search, unsigned seed, double start_range) {
 
 void breed(Search& search, int size, RandomStream& random) {
   constexpr int kStages = 5;
+  size -= size % 2;  // parents come in pairs
   pagmo::population population = first_population(search, size, random);
   double width = 0.1;  // of the box
   for (int stage = 0; stage < kStages; ++stage, width *= 0.2) {

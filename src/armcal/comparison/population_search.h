@@ -18,7 +18,8 @@ namespace armcal {
 enum class PopulationMethod {
   /// Gao et al. 2009: annealing whose range shrinks near the optimum and that keeps the best. Here
   /// Corana's annealing (1987), which adapts the range of each coordinate to its share of accepted
-  /// moves, from the start value.
+  /// moves, from the start value; it cools to a tenth of what one standard uncertainty of one
+  /// parameter adds to a chi-squared.
   annealing,
   /// Wang et al. 2008: real-coded adaptive genetic algorithm with arithmetic crossover, Gaussian
   /// mutation and elitism. Here simulated binary crossover (children lie on the line through their

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "armcal/comparison/objective.h"
@@ -133,7 +134,19 @@ TEST_P(EveryPopulationMethod, NeverFallsBelowLeastSquaresAndImprovesOnTheStart) 
   EXPECT_LT(found.objective, 0.9 * found.objective_at_start);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, EveryPopulationMethod, ::testing::ValuesIn(kMethods));
+TEST_P(EveryPopulationMethod, TakesAnOddPopulation) {
+  const PopulationSearch found =
+      search_population(GetParam(), valley, Eigen::VectorXd::Zero(3), Eigen::VectorXd::Ones(3),
+                        {.evaluations = 2000, .population = 9});
+  EXPECT_LT(found.objective, 0.5 * found.objective_at_start);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, EveryPopulationMethod, ::testing::ValuesIn(kMethods),
+                         [](const auto& method) {
+                           std::string name(to_string(method.param));
+                           std::replace(name.begin(), name.end(), ' ', '_');
+                           return name;
+                         });
 
 TEST(PopulationSearch, RefusesWhatIsNoSearch) {
   const Eigen::VectorXd start = Eigen::VectorXd::Zero(2);

@@ -18,16 +18,16 @@ struct CirclePointOptions {
   double locked_rad = 2e-4;
   /// An axis that is known no better is refused.
   double largest_u_direction_rad = 2e-3;
-  /// Between the tips at home that two arcs give.
+  /// From the tip at home that one arc gives to that of all.
   double largest_disagreement_mm = 1.0;
 };
 
 struct CirclePointAnalysis {
   CirclePointStatus status = CirclePointStatus::joint_without_arc;
   std::string detail;
-  std::vector<MeasuredAxis>
-      axes;                  ///< of the joints in their order; without result: as far as known
-  Eigen::VectorXd home_rad;  ///< encoder readings
+  /// Of the joints in their order, in the home posture; without result: as far as known.
+  std::vector<MeasuredAxis> axes;
+  Eigen::VectorXd home_rad;                                  ///< encoder readings
   Eigen::Vector3d tip_at_home_mm = Eigen::Vector3d::Zero();  ///< reference frame
   ArmModel arm;
   RigidTransform reference_from_base;
@@ -44,16 +44,15 @@ struct CirclePointAnalysis {
 /// is that one posture is all it sees, and that an axis is the better known the longer its arc and
 /// the farther the tip.
 ///
-/// The method is described in B. W. Mooring, Z. S. Roth, M. R. Driels, Fundamentals of Manipulator
-/// Calibration, Wiley 1991, and ranked among others in J. M. Hollerbach, C. W. Wampler, Int. J.
-/// Robotics Research 15(6), 1996, 573-591, doi:10.1177/027836499601500604; with a laser tracker in
-/// A. Vorotnikov et al., 26th DAAAM Symposium 2016, doi:10.2507/26th.daaam.proceedings.125. Here
-/// circles are fitted by orthogonal distances, every point helps to place the tip at home (turned
-/// back about its axis), and the arm is written in the parameters of the nominal one by
-/// `arm_from_axes`; encoder harmonics and what axes cannot tell stay nominal.
+/// With a laser tracker: A. Vorotnikov et al., 26th DAAAM Symposium 2016, 897-904,
+/// doi:10.2507/26th.daaam.proceedings.125; step by step: the manual of SScanSS-2, "Circle Point
+/// Analysis"; the textbook of the field is B. W. Mooring, Z. S. Roth, M. R. Driels, Fundamentals of
+/// Manipulator Calibration, Wiley 1991. None was followed to the letter: here circles are fitted by
+/// orthogonal distances, every point helps to place the tip at home (turned back about its axis),
+/// and the arm is written in the parameters of the nominal one by `arm_from_axes`; encoder
+/// harmonics and what axes cannot tell stay nominal.
 ///
-/// @param arcs  kind reference_points, one set-up, `joint` naming for each row the joint that
-/// turns;
+/// @param arcs  kind reference_points, one set-up, `joint` naming the joint that turns in each row;
 ///              home is where a joint stands while others turn. Rows that are held out do not count
 /// @throws std::invalid_argument where the group is not of that kind or not of this arm
 [[nodiscard]] CirclePointAnalysis analyse_circle_points(const ArmModel& nominal,

@@ -53,9 +53,9 @@ struct ObservationGroup {
   std::vector<std::string> place;
   std::vector<std::string> place_to;  ///< length: the second fixed point
   std::vector<std::string> feature;   ///< artefact: which of its points
-  std::vector<int> joint;             ///< circle_radius, reversal: that turns, from 1
-  std::optional<double> radius_mm;    ///< sphere: where it is known
-  double tip_radius_mm = 0.0;         ///< sphere: added to the radius (outside contact)
+  std::vector<int> joint;           ///< circle_radius, reversal, points on arcs: that turns, from 1
+  std::optional<double> radius_mm;  ///< sphere: where it is known
+  double tip_radius_mm = 0.0;       ///< sphere: added to the radius (outside contact)
   Eigen::Vector3d offset_mm =
       Eigen::Vector3d::Zero();  ///< of the measured point from the tip, in the tip's frame
   std::string target;  ///< not empty: the measured point is this unknown point of the last joint,

@@ -12,6 +12,8 @@ namespace armcal {
 namespace {
 
 constexpr double kNoiselessU_mm = 0.001;  // weights must be finite
+constexpr double kRounding_rad = 1e-9;    // of a plan that goes to a stop
+constexpr int kTries = 20;                // of a hand beside an obstacle
 
 // Takes the points of one reading, in the frame in which the reference machine stands for it.
 class Gesture {
@@ -44,15 +46,18 @@ class Gesture {
 
  private:
   void turn_by_half() {
-    const Eigen::Index joint = reading_.joint - 1;
-    Eigen::VectorXd planned_end = reading_.posture_rad;
-    planned_end(joint) += planned_turn();
-    require_free(planned_end);
-    const Eigen::VectorXd before = set_by_hand(reading_.posture_rad);
-    Eigen::VectorXd after = before + errors(practice_.u_slip_rad);
-    after(joint) =
-        before(joint) + planned_turn() + practice_.u_half_turn_rad * laboratory_.random().normal();
-    after = short_of_stops(after);
+    const Eigen::VectorXd turn = planned_turn();
+    require_free(reading_.posture_rad + turn, kRounding_rad);
+    Eigen::VectorXd before;
+    Eigen::VectorXd after;
+    for (int i = 0; i < kTries; ++i) {
+      before = set_by_hand(reading_.posture_rad);
+      after = before + turn + errors(practice_.u_slip_rad);
+      const double end = before(reading_.joint - 1) + turn(reading_.joint - 1);
+      after(reading_.joint - 1) = end + practice_.u_half_turn_rad * laboratory_.random().normal();
+      after = short_of_stops(after);
+      if (!laboratory_.arm().obstacle(after)) break;
+    }
     require_free(after);
     for (const char end : {'A', 'B'}) {
       for (int i = 0; i < practice_.repeats; ++i) {
@@ -62,15 +67,19 @@ class Gesture {
     }
   }
 
-  // A plan that gives no end means half a turn to the side that the stops leave.
-  [[nodiscard]] double planned_turn() const {
+  // From the first end to the second. A plan that gives no second end means half a turn to the side
+  // that the stops leave.
+  [[nodiscard]] Eigen::VectorXd planned_turn() const {
     using std::numbers::pi;
-    const Eigen::Index joint = reading_.joint - 1;
     if (reading_.posture_end_rad.size() > 0) {
-      return reading_.posture_end_rad(joint) - reading_.posture_rad(joint);
+      return reading_.posture_end_rad - reading_.posture_rad;
     }
-    const auto& limits = laboratory_.arm().truth().joints[static_cast<std::size_t>(joint)];
-    return reading_.posture_rad(joint) + pi > limits.max_rad ? -pi : pi;
+    const Eigen::Index joint = reading_.joint - 1;
+    const Joint& stops = laboratory_.arm().truth().joints[static_cast<std::size_t>(joint)];
+    const double start = reading_.posture_rad(joint);
+    const bool only_back =
+        start + pi > stops.max_rad + kRounding_rad && start - pi > stops.min_rad - kRounding_rad;
+    return (only_back ? -pi : pi) * Eigen::VectorXd::Unit(reading_.posture_rad.size(), joint);
   }
 
   void search_zero() {
@@ -115,9 +124,14 @@ class Gesture {
     return angles;
   }
 
+  // A hand that is stopped by the bench tries again.
   [[nodiscard]] Eigen::VectorXd set_by_hand(const Eigen::VectorXd& planned) {
-    require_free(planned);
-    const Eigen::VectorXd posture = short_of_stops(planned + errors(practice_.u_posture_rad));
+    require_free(planned, kRounding_rad);
+    Eigen::VectorXd posture;
+    for (int i = 0; i < kTries; ++i) {
+      posture = short_of_stops(planned + errors(practice_.u_posture_rad));
+      if (!laboratory_.arm().obstacle(posture)) return posture;
+    }
     require_free(posture);
     return posture;
   }
@@ -128,18 +142,21 @@ class Gesture {
     return errors;
   }
 
-  // What a hand does not set beyond its stops.
-  [[nodiscard]] Eigen::VectorXd short_of_stops(Eigen::VectorXd posture) const {
+  // A hand sets no joint beyond its stops; nor does a plan, but for rounding.
+  [[nodiscard]] Eigen::VectorXd short_of_stops(Eigen::VectorXd posture,
+                                               double beyond_rad = HUGE_VAL) const {
     const auto& joints = laboratory_.arm().truth().joints;
     for (std::size_t i = 0; i < joints.size(); ++i) {
       double& angle = posture(static_cast<Eigen::Index>(i));
-      angle = std::clamp(angle, joints[i].min_rad, joints[i].max_rad);
+      const double stopped = std::clamp(angle, joints[i].min_rad, joints[i].max_rad);
+      if (std::abs(angle - stopped) <= beyond_rad) angle = stopped;
     }
     return posture;
   }
 
-  void require_free(const Eigen::VectorXd& posture) const {
-    if (const auto obstacle = laboratory_.arm().obstacle(posture)) {
+  void require_free(const Eigen::VectorXd& posture, double beyond_rad = 0.0) const {
+    const Eigen::VectorXd within = short_of_stops(posture, beyond_rad);
+    if (const auto obstacle = laboratory_.arm().obstacle(within)) {
       throw Impossible(fmt::format("reading \"{}\" cannot be taken: {}", reading_.name, *obstacle));
     }
   }

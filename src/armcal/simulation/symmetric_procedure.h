@@ -22,16 +22,20 @@ struct SymmetricPractice {
 };
 
 /// Carries out a planned procedure: what it keeps are names, kinds, joints and postures of the
-/// readings; what it adds are raw points as the reference machine gives them, in its own frame,
-/// with the encoder readings at each.
+/// readings, and what they solve; what it adds are raw points as the reference machine gives them,
+/// in a frame of its own for every reading, with the encoder readings at each. Arcs and settings
+/// that a stop cuts off are shifted, hands set no joint beyond a stop, and a half turn without a
+/// planned end goes to the side that the stops leave. Uncertainties are for `reduce` to find (`u`
+/// is 0; without any noise 1 um, for weights must be finite).
 /// @throws Impossible naming the reading whose posture the arm cannot take
 [[nodiscard]] SymmetricPointProcedure carry_out(Laboratory& laboratory,
                                                 const SymmetricPointProcedure& plan,
                                                 const SymmetricPractice& practice);
 
 /// The procedure of the 2016 paper for an arm with its axes: zero searches of joints 2, 4, 6, the
-/// five half turns and the circle of Table 1, each with the parameter that the chain takes from it.
-/// Wang, Wang, Lu, Zhang 2016, section 2.
+/// five half turns and the circle of Table 1. The chain takes a length from each half turn; zeros
+/// of joints 2 and 4 are for the adjustment, which is asked for them too (that of joint 6 turns the
+/// tip as a7 and b7 do). Wang, Wang, Lu, Zhang 2016, section 2.
 [[nodiscard]] SymmetricPointProcedure wang2016_procedure();
 
 }  // namespace armcal

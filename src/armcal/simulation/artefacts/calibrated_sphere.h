@@ -20,7 +20,7 @@ struct CalibratedSphere {
   bool is_known = true;  ///< false: the diameter is left to the calibration
 };
 
-/// Kind sphere. The probe pushes against the surface. @throws Impossible
+/// Kind sphere (spheres NAME-1 ..). The probe pushes against the surface. @throws Impossible
 [[nodiscard]] std::vector<ObservationGroup> measure(Laboratory& laboratory,
                                                     const CalibratedSphere& sphere);
 

@@ -17,7 +17,7 @@ struct ConeSeat {
   double u_mm = 0.005;  ///< repeatability of the seat, each coordinate
 };
 
-/// Kind fixed_point. @throws Impossible
+/// Kind fixed_point (points NAME-1 ..). @throws Impossible
 [[nodiscard]] std::vector<ObservationGroup> measure(Laboratory& laboratory, const ConeSeat& cone);
 
 }  // namespace armcal

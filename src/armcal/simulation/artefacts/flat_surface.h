@@ -18,7 +18,7 @@ struct FlatSurface {
   double u_mm = 0.005;
 };
 
-/// Kind plane. The probe pushes against the surface. @throws Impossible
+/// Kind plane (planes NAME-1 ..). The probe pushes against the surface. @throws Impossible
 [[nodiscard]] std::vector<ObservationGroup> measure(Laboratory& laboratory,
                                                     const FlatSurface& surface);
 

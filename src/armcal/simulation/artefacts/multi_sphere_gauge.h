@@ -21,10 +21,11 @@ struct MultiSphereGauge {
   /// artefact: coordinates are known, placement by placement. points: every sphere of every
   /// placement is a fixed point, and its distance from the first one is known.
   enum class Form { artefact, points } form = Form::artefact;
-  double u_length_mm = 0.001;  ///< points: of the known distances
+  double u_length_mm = 0.001;  ///< points: of each known distance, in each placement anew
 };
 
-/// Kind artefact (features S1 ..), or fixed_point and length. @throws Impossible
+/// Kind artefact (features S1 ..; placements NAME-1 ..), or fixed_point (points NAME-1-S1 ..) and
+/// length (NAME-length). @throws Impossible
 [[nodiscard]] std::vector<ObservationGroup> measure(Laboratory& laboratory,
                                                     const MultiSphereGauge& gauge);
 

@@ -21,7 +21,7 @@ struct SpherePlate {
   double u_mm = 0.005;
 };
 
-/// Kind artefact (features S1 ..). @throws Impossible
+/// Kind artefact (features S1 .., row by row; placements NAME-1 ..). @throws Impossible
 [[nodiscard]] std::vector<ObservationGroup> measure(Laboratory& laboratory,
                                                     const SpherePlate& plate);
 

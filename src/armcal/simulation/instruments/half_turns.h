@@ -12,7 +12,8 @@ namespace armcal {
 
 /// Half turns of single joints, the others locked, in postures at random; an instrument measures
 /// the distance between the two places of the tip. The joint is turned until its encoder shows half
-/// a turn more, so the reading before the turn says both.
+/// a turn more, so the reading before the turn says both. Both ends are clear of obstacles; which
+/// way the arm takes between them is not looked at.
 struct HalfTurns {
   std::string name = "half-turns";
   int count = 40;
