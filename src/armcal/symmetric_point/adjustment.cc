@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "armcal/arm/estimability.h"
 #include "armcal/core/units.h"
@@ -164,6 +165,23 @@ DeterminedParameters choose_unknowns(const Eigen::MatrixXd& design, std::vector<
   }
 }
 
+// Does the earlier choice still do at the adjusted arm? Where the new one sees no more, it may
+// trade a well-determined parameter for one of nearly the same effect (an offset along an axis that
+// is not quite parallel to another) and be as good as singular; then the earlier one stays.
+bool still_determined(const Eigen::MatrixXd& design, DeterminedParameters& choice,
+                      const DeterminedParameters& next) {
+  if (next.unknowns.size() != choice.unknowns.size()) return false;
+  const Eigen::MatrixXd part = design(Eigen::all, choice.unknowns);
+  std::vector<int> order(choice.unknowns.size());
+  std::iota(order.begin(), order.end(), 0);
+  const RankAnalysis analysis = analyse_rank(part, order);
+  constexpr double kMuchWorse = 10.0;
+  const bool is_singular = analysis.rank < static_cast<int>(order.size());
+  if (is_singular || analysis.condition_number > kMuchWorse * next.condition_number) return false;
+  choice.condition_number = analysis.condition_number;
+  return true;
+}
+
 // Statistics of every reading from the whitened residuals and the whitened design of the unknowns.
 void test_readings(Adjustment& result, std::span<const SymmetricReading> readings,
                    const Eigen::VectorXd& residuals, const Eigen::MatrixXd& jacobian,
@@ -244,9 +262,8 @@ Adjustment adjust_once(const ArmModel& nominal, std::span<const SymmetricReading
   constexpr int kRounds = 4;
   for (int round = 0; round < kRounds; ++round) {
     const DeterminedParameters next = choose_unknowns(design, wanted, table, options);
-    const bool settled = round > 0 && next.unknowns == choice.unknowns;
+    if (round > 0 && still_determined(design, choice, next)) break;
     choice = next;
-    if (settled) break;
     if (choice.unknowns.empty()) {
       result.status = AdjustmentStatus::nothing_determined;
       result.undetermined = choice.held;
