@@ -73,7 +73,8 @@ TEST(PlanSymmetricPointCommand, TheFilledProcedureGivesTheCalibration) {
   HalfTurnPlan read;
   read.arm = testing::consistent_romer();
   read.wishes.repeats = 5;
-  for (const auto& each : planned.json()["readings"]) {
+  const Json json = planned.json();
+  for (const auto& each : json["readings"]) {
     HalfTurn turn{each["joint"], testing::degrees(each["posture_deg"].get<std::vector<double>>()),
                   testing::degrees(each["posture_end_deg"].get<std::vector<double>>())};
     read.readings.push_back({each["name"], turn, 0, 0, 0, 0, 0});

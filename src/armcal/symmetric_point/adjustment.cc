@@ -105,8 +105,8 @@ std::vector<int> in_wanted_order(const ArmModel& arm, const ParameterTable& tabl
 }
 
 // Of the wanted parameters, those that this design can determine; in words why not the others.
-DeterminedParameters choose_unknowns(const Eigen::MatrixXd& design, std::vector<int> wanted,
-                                     const ParameterTable& table,
+DeterminedParameters choose_unknowns(const ArmModel& arm, const Eigen::MatrixXd& design,
+                                     std::vector<int> wanted, const ParameterTable& table,
                                      const AdjustmentOptions& options) {
   DeterminedParameters choice;
   for (;;) {
@@ -155,11 +155,15 @@ DeterminedParameters choose_unknowns(const Eigen::MatrixXd& design, std::vector<
       return choice;
     }
     const bool is_length = table[weakest].unit == ParameterUnit::mm;
+    const auto convention = held_by_convention(arm, table[weakest]);
     choice.held.push_back(
         {table[weakest].name,
-         fmt::format("the readings see {} too weakly: its standard uncertainty would be {:.2g} {}",
-                     table[weakest].name, is_length ? weakest_u : degrees_from_radians(weakest_u),
-                     is_length ? "mm" : "deg"),
+         convention
+             ? fmt::format("{} stays nominal {}", table[weakest].name, *convention)
+             : fmt::format(
+                   "the readings see {} too weakly: its standard uncertainty would be {:.2g} {}",
+                   table[weakest].name, is_length ? weakest_u : degrees_from_radians(weakest_u),
+                   is_length ? "mm" : "deg"),
          {}});
     std::erase(wanted, weakest);
   }
@@ -261,7 +265,7 @@ Adjustment adjust_once(const ArmModel& nominal, std::span<const SymmetricReading
   SmallSolution solution;
   constexpr int kRounds = 4;
   for (int round = 0; round < kRounds; ++round) {
-    const DeterminedParameters next = choose_unknowns(design, wanted, table, options);
+    const DeterminedParameters next = choose_unknowns(nominal, design, wanted, table, options);
     if (round > 0 && still_determined(design, choice, next)) break;
     choice = next;
     if (choice.unknowns.empty()) {
@@ -363,7 +367,7 @@ DeterminedParameters determined_parameters(const ArmModel& arm,
                                            std::span<const SymmetricReading> readings,
                                            const AdjustmentOptions& options) {
   const ParameterTable table(arm);
-  return choose_unknowns(design_matrix(arm, readings),
+  return choose_unknowns(arm, design_matrix(arm, readings),
                          in_wanted_order(arm, table, readings, options.unknowns), table, options);
 }
 
