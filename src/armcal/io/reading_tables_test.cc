@@ -226,5 +226,24 @@ TEST(ReadingTables, EqualRowsOfAnglesAndOfRawPointsAreRefusedUnlessKept) {
   }
 }
 
+// One table for all half turns of a plan: forty files are nobody's idea of a worksheet.
+TEST(ReadingTables, SeveralReadingsShareATable) {
+  const CsvTable shared =
+      table_of("reading,end,x_mm,y_mm,z_mm\nh1,A,1,2,3\nh2,A,4,5,6\nh1,B,7,8,9\n");
+  Diagnostics diagnostics;
+  const auto first = rows_of_reading(shared, "h1", diagnostics);
+  ASSERT_TRUE(first.has_value());
+  SymmetricReading reversal;
+  const auto raw = symmetric_points(*first, reversal, 2, {}, diagnostics);
+  ASSERT_TRUE(raw.has_value()) << diagnostics.to_text();
+  ASSERT_EQ(raw->points_mm.size(), 2u);
+  EXPECT_EQ(raw->points_mm[1].z(), 9.0);
+  EXPECT_EQ(raw->lines, (std::vector<int>{2, 4}));  // as in the file
+  EXPECT_FALSE(rows_of_reading(shared, "h3", diagnostics).has_value());
+  EXPECT_THAT(diagnostics.to_text(), HasSubstr("has no rows of reading \"h3\""));
+  const CsvTable own = table_of("end,x_mm,y_mm,z_mm\nA,1,2,3\nB,7,8,9\n");
+  EXPECT_EQ(rows_of_reading(own, "h3", diagnostics)->row_count(), 2u);
+}
+
 }  // namespace
 }  // namespace armcal

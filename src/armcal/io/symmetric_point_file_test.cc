@@ -162,5 +162,13 @@ RC_GTEST_PROP(SymmetricPointFile, SurvivesAnyBytes, (const std::string& text)) {
   RC_ASSERT(read != diagnostics.has_errors());
 }
 
+TEST(SymmetricPointFile, ReadsTheUncertaintyOfTheEncoders) {
+  const std::string reading = "[[reading]]\nkind = \"circle_radius\"\njoint = 6\nradius_mm = 178\n";
+  EXPECT_EQ(read(reading).u_encoder_rad, 0.0);
+  EXPECT_NEAR(read("u_encoder_arcsec = 2\n" + reading).u_encoder_rad, 9.6963e-6, 1e-10);
+  EXPECT_THAT(complaint("u_encoder_arcsec = -1\n" + reading),
+              HasSubstr("u_encoder_arcsec must not be negative"));
+}
+
 }  // namespace
 }  // namespace armcal

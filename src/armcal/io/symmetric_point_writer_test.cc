@@ -246,5 +246,16 @@ TEST(RawPointsCsv, OfAPlannedReadingIsAHeaderToBeFilledIn) {
             "end,x_mm,y_mm,z_mm,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg\n");
 }
 
+TEST(SymmetricPointWriter, KeepsTheUncertaintyOfTheEncoders) {
+  SymmetricPointProcedure procedure;
+  procedure.file = "folder/p.symmetric.toml";
+  procedure.arm_file = "folder/nominal.arm.toml";
+  procedure.readings = testing::wang2016_readings();
+  procedure.u_encoder_rad = radians_from_arcseconds(2.0);
+  const std::string text = symmetric_point_text(procedure);
+  EXPECT_THAT(text, HasSubstr("u_encoder_arcsec = 2\n"));
+  EXPECT_NEAR(read(text).u_encoder_rad, procedure.u_encoder_rad, 1e-18);
+}
+
 }  // namespace
 }  // namespace armcal

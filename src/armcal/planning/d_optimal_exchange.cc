@@ -11,6 +11,7 @@
 #include "armcal/core/parallel.h"
 #include "armcal/core/random.h"
 #include "armcal/numerics/linear_algebra.h"
+#include "armcal/planning/chosen_rows.h"
 #include "armcal/planning/reliability.h"
 
 namespace armcal {
@@ -23,87 +24,15 @@ constexpr int kMostMends = 200;
 // Candidates looked at where each look costs a whole analysis.
 constexpr std::size_t kMostLooks = 60;
 
-// The inverse of M + sign * row row^T from that of M; returns the factor by which the determinant
-// grows.
-double add_to_information(Eigen::MatrixXd& inverse, const Eigen::VectorXd& row, double sign) {
-  const Eigen::VectorXd way = inverse * row;
-  const double factor = 1.0 + sign * row.dot(way);
-  inverse.noalias() -= (sign / factor) * way * way.transpose();
-  return factor;
+// The first of the largest scores. Mirrored half turns of a symmetric arm score alike but for
+// rounding, which must not choose between them.
+int first_of_largest(const Eigen::VectorXd& scores) {
+  constexpr double kRounding = 1e-9;
+  const double largest = scores.maxCoeff();
+  int first = 0;
+  while (scores(first) < largest - kRounding * std::abs(largest)) ++first;
+  return first;
 }
-
-// A choice of rows with the inverse of its information matrix, kept up by rank-one updates.
-class Choice {
- public:
-  Choice(const Eigen::MatrixXd& design, std::vector<int> rows)
-      : design_(&design), rows_(std::move(rows)), taken_(static_cast<std::size_t>(design.rows())) {
-    for (const int row : rows_) taken_[static_cast<std::size_t>(row)] = true;
-    renew();
-  }
-
-  [[nodiscard]] const std::vector<int>& rows() const { return rows_; }
-  [[nodiscard]] bool is_taken(Eigen::Index row) const {
-    return taken_[static_cast<std::size_t>(row)];
-  }
-  [[nodiscard]] bool is_singular() const { return singular_; }
-  [[nodiscard]] const Eigen::MatrixXd& covariance() const { return covariance_; }
-  [[nodiscard]] Eigen::MatrixXd chosen() const { return (*design_)(rows_, Eigen::all); }
-  [[nodiscard]] double log_determinant() const { return log_determinant_; }
-
-  /// By which factor the determinant grows when place `place` is given to each row. eq. (7)
-  [[nodiscard]] Eigen::VectorXd gains(std::size_t place) const {
-    const int out = rows_[place];
-    const Eigen::VectorXd across = *design_ * (covariance_ * design_->row(out).transpose());
-    Eigen::VectorXd gain =
-        ((1.0 + variance_.array()) * (1.0 - variance_(out)) + across.array().square()).matrix();
-    for (Eigen::Index row = 0; row < gain.size(); ++row) {
-      if (is_taken(row)) gain(row) = 0.0;
-    }
-    return gain;
-  }
-
-  void exchange(std::size_t place, int in) {
-    const int out = rows_[place];
-    add(in, 1.0);
-    add(out, -1.0);
-    taken_[static_cast<std::size_t>(out)] = false;
-    taken_[static_cast<std::size_t>(in)] = true;
-    rows_[place] = in;
-  }
-
-  /// Everything from the rows themselves: rank-one updates collect rounding.
-  void renew() {
-    const auto factor = inverse_factor(chosen());
-    singular_ = !factor.has_value();
-    if (singular_) return;
-    covariance_ = *factor * factor->transpose();
-    variance_ = (*design_ * *factor).rowwise().squaredNorm();
-    Eigen::MatrixXd triangle = chosen();
-    triangularise(triangle);
-    log_determinant_ = 2.0 * triangle.diagonal().cwiseAbs().array().log().sum();
-  }
-
-  /// Share of the two rows' predictions that is common: which rows look after which.
-  [[nodiscard]] Eigen::VectorXd likeness(int row) const {
-    const Eigen::VectorXd across = *design_ * (covariance_ * design_->row(row).transpose());
-    return (across.array().square() / (1.0 + variance_.array())).matrix();
-  }
-
- private:
-  void add(int row, double sign) {
-    const Eigen::VectorXd across = *design_ * (covariance_ * design_->row(row).transpose());
-    const double factor = add_to_information(covariance_, design_->row(row).transpose(), sign);
-    variance_.array() -= sign * across.array().square() / factor;
-  }
-
-  const Eigen::MatrixXd* design_;
-  std::vector<int> rows_;
-  std::vector<bool> taken_;
-  Eigen::MatrixXd covariance_;
-  Eigen::VectorXd variance_;  // of the prediction of every row
-  double log_determinant_ = 0.0;
-  bool singular_ = false;
-};
 
 class Exchange {
  public:
@@ -114,7 +43,7 @@ class Exchange {
 
   [[nodiscard]] ChosenObservations from(int start) const {
     RandomStream random(options_.seed, static_cast<std::uint64_t>(start));
-    Choice choice(design_, first_rows(random));
+    ChosenRows choice(design_, first_rows(random));
     if (choice.is_singular()) return {};
     climb(choice);
     if (limited() && deficit(choice) > 0.0) {
@@ -150,7 +79,7 @@ class Exchange {
         for (Eigen::Index row = 0; row < variance.size(); ++row) {
           if (taken[static_cast<std::size_t>(row)]) variance(row) = -1.0;
         }
-        variance.maxCoeff(&next);
+        next = first_of_largest(variance);
       }
       taken[static_cast<std::size_t>(next)] = true;
       rows.push_back(static_cast<int>(next));
@@ -163,13 +92,14 @@ class Exchange {
   }
 
   // Each observation in turn gives its place to the one that gains most, as long as any gains.
-  void climb(Choice& choice) const {
+  void climb(ChosenRows& choice) const {
     for (int sweep = 0; sweep < kMostSweeps; ++sweep) {
       bool moved = false;
       for (std::size_t place = 0; place < choice.rows().size(); ++place) {
-        Eigen::Index best = 0;
-        if (choice.gains(place).maxCoeff(&best) <= 1.0 + kLeastGain) continue;
-        choice.exchange(place, static_cast<int>(best));
+        const Eigen::VectorXd gains = choice.gains(place);
+        const int best = first_of_largest(gains);
+        if (gains(best) <= 1.0 + kLeastGain) continue;
+        choice.exchange(place, best);
         moved = true;
       }
       choice.renew();
@@ -199,13 +129,13 @@ class Exchange {
     }
     return sum;
   }
-  [[nodiscard]] double deficit(const Choice& choice, std::size_t* worst = nullptr) const {
+  [[nodiscard]] double deficit(const ChosenRows& choice, std::size_t* worst = nullptr) const {
     return deficit(choice.rows(), reliability(choice.chosen(), choice.covariance()), worst);
   }
 
   // The rows with the largest scores that are not chosen yet.
-  [[nodiscard]] static std::vector<int> foremost(const Choice& choice, const Eigen::VectorXd& score,
-                                                 std::size_t most) {
+  [[nodiscard]] static std::vector<int> foremost(const ChosenRows& choice,
+                                                 const Eigen::VectorXd& score, std::size_t most) {
     std::vector<int> rows;
     for (Eigen::Index row = 0; row < score.size(); ++row) {
       if (!choice.is_taken(row)) rows.push_back(static_cast<int>(row));
@@ -219,29 +149,29 @@ class Exchange {
     return rows;
   }
 
-  [[nodiscard]] double deficit_after(const Choice& choice, std::size_t place, int in) const {
+  [[nodiscard]] double deficit_after(const ChosenRows& choice, std::size_t place, int in) const {
     std::vector<int> rows = choice.rows();
     Eigen::MatrixXd covariance = choice.covariance();
-    add_to_information(covariance, design_.row(in).transpose(), 1.0);
-    add_to_information(covariance, design_.row(rows[place]).transpose(), -1.0);
+    update_inverse(covariance, design_.row(in).transpose(), 1.0);
+    update_inverse(covariance, design_.row(rows[place]).transpose(), -1.0);
     rows[place] = in;
     return deficit(rows, reliability(design_(rows, Eigen::all), covariance));
   }
 
   // The worst observation is replaced, or another one gives way to a second look at the same thing:
   // whichever leaves least to mend.
-  void mend(Choice& choice) const {
+  void mend(ChosenRows& choice) const {
     for (int round = 0; round < kMostMends; ++round) {
       if (options_.monitor.stop.stop_requested()) throw Interrupted();
       std::size_t worst = 0;
       const double before = deficit(choice, &worst);
       if (before == 0.0) return;
-      double best = before * (1.0 - kLeastGain);
+      double best = before;
       std::size_t best_place = 0;
       int best_row = -1;
       const auto look = [&](std::size_t place, int row) {
         const double after = deficit_after(choice, place, row);
-        if (after >= best) return;
+        if (after >= best * (1.0 - kLeastGain)) return;
         best = after;
         best_place = place;
         best_row = row;
@@ -260,7 +190,7 @@ class Exchange {
   }
 
   // Climbs on within the limits.
-  void polish(Choice& choice) const {
+  void polish(ChosenRows& choice) const {
     for (int sweep = 0; sweep < kMostSweeps; ++sweep) {
       bool moved = false;
       for (std::size_t place = 0; place < choice.rows().size(); ++place) {
@@ -278,11 +208,11 @@ class Exchange {
     }
   }
 
-  [[nodiscard]] ChosenObservations judged(Choice& choice) const {
+  [[nodiscard]] ChosenObservations judged(ChosenRows& choice) const {
     ChosenObservations result;
     result.rows = choice.rows();
     std::sort(result.rows.begin(), result.rows.end());
-    const Choice sorted(design_, result.rows);
+    const ChosenRows sorted(design_, result.rows);
     if (sorted.is_singular()) return {};
     const Reliability analysis = reliability(sorted.chosen(), sorted.covariance());
     result.log_determinant = sorted.log_determinant();
@@ -304,7 +234,7 @@ class Exchange {
 bool is_better(const ChosenObservations& one, const ChosenObservations& other) {
   if (one.rows.empty() || other.rows.empty()) return !one.rows.empty() && other.rows.empty();
   if (one.keeps_limits != other.keeps_limits) return one.keeps_limits;
-  return one.log_determinant > other.log_determinant;
+  return one.log_determinant > other.log_determinant + kLeastGain;
 }
 
 }  // namespace

@@ -25,6 +25,9 @@ constexpr double kShortestShare = 0.01;
 // Readings that differ by less than this in every angle are one reading.
 constexpr double kSameAngle_rad = radians_from_degrees(0.5);
 constexpr long kTriesPerCandidate = 200;
+// After so many repetitions in a row for each one found, there are hardly any left to find.
+constexpr long kRepetitions = 20;
+constexpr long kLeastRepetitions = 1000;
 
 std::span<const double> as_span(const Eigen::VectorXd& v) {
   return {v.data(), static_cast<std::size_t>(v.size())};
@@ -174,7 +177,9 @@ std::vector<HalfTurn> half_turn_candidates(const ArmModel& arm, const HalfTurnRo
   std::set<std::vector<long>> known;
   std::vector<HalfTurn> found;
   const long most_tries = kTriesPerCandidate * count;
+  long repeated = 0;  // since the last one was found
   for (long tried = 0; tried < most_tries && std::ssize(found) < count; ++tried) {
+    if (repeated > kLeastRepetitions + kRepetitions * std::ssize(found)) break;
     if (tried % 10000 == 0) {
       monitor.report("looking for half turns", static_cast<double>(std::ssize(found)) / count);
     }
@@ -184,9 +189,11 @@ std::vector<HalfTurn> half_turn_candidates(const ArmModel& arm, const HalfTurnRo
     if (!turn) continue;
     if (!known.insert(identity_of(*turn)).second) {
       ++rejections.repeated;
+      ++repeated;
       continue;
     }
     found.push_back(std::move(*turn));
+    repeated = 0;
   }
   return found;
 }

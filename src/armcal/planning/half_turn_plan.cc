@@ -74,7 +74,26 @@ void check(const HalfTurnWishes& wishes) {
   }
 }
 
-void check_count(const HalfTurnWishes& wishes, int unknowns) {
+// Table indices of what the candidates determine together; refuses where that is less than half
+// turns can tell of this arm.
+std::vector<int> seen_unknowns(const HalfTurnPlan& plan,
+                               const std::vector<SymmetricReading>& candidates) {
+  if (candidates.empty()) {
+    throw ImpossiblePlan(fmt::format("no half turn is possible: {}", explain(plan.rejections)));
+  }
+  const DeterminedParameters seen =
+      determined_parameters(plan.arm, candidates, everything(plan.arm));
+  if (const auto missing = unseen(plan.arm, seen, plan.wishes); !missing.empty()) {
+    throw ImpossiblePlan(fmt::format("{} ({} found) do not determine {}; {}",
+                                     joints_of(plan.wishes.room), plan.candidates,
+                                     fmt::join(missing, ", "), explain(plan.rejections)));
+  }
+  return seen.unknowns;
+}
+
+void check_counts(const HalfTurnPlan& plan) {
+  const HalfTurnWishes& wishes = plan.wishes;
+  const int unknowns = plan.rank();
   if (wishes.readings < unknowns) {
     throw ImpossiblePlan(
         fmt::format("{} half turns cannot determine {} parameters\n  help: take at least {}, "
@@ -89,6 +108,10 @@ void check_count(const HalfTurnWishes& wishes, int unknowns) {
         "be above {:.3f}\n  help: take at least {} half turns, or a lower --min-redundancy",
         wishes.readings, unknowns, mean, wishes.least_redundancy,
         static_cast<int>(std::ceil(unknowns / (1.0 - std::min(wishes.least_redundancy, 0.99))))));
+  }
+  if (plan.candidates < wishes.readings) {
+    throw ImpossiblePlan(fmt::format("only {} different half turns are possible, {} are wanted: {}",
+                                     plan.candidates, wishes.readings, explain(plan.rejections)));
   }
 }
 
@@ -119,18 +142,41 @@ Eigen::VectorXd uncertainties(const std::vector<SymmetricReading>& readings) {
   return u;
 }
 
-// The half turns in their order, moving few joints; `slack` is by how much a reading may lose in
-// precision by that.
-std::vector<HalfTurn> in_order(const ArmModel& arm, const HalfTurnWishes& wishes,
-                               const std::vector<HalfTurn>& turns, double slack) {
+std::vector<HalfTurn> choose(const HalfTurnPlan& plan, const std::vector<HalfTurn>& candidates,
+                             const std::vector<SymmetricReading>& readings,
+                             const Monitor& monitor) {
+  const HalfTurnWishes& wishes = plan.wishes;
+  ExchangeOptions exchange;
+  exchange.observations = wishes.readings;
+  exchange.limits = {wishes.least_redundancy, wishes.largest_unnamed_mm};
+  exchange.starts = wishes.starts;
+  exchange.seed = wishes.seed;
+  exchange.threads = wishes.threads;
+  exchange.monitor = monitor;
+  const Eigen::MatrixXd design = design_matrix(plan.arm, readings)(Eigen::all, plan.unknowns);
+  const ChosenObservations chosen = choose_observations(design, uncertainties(readings), exchange);
+  check_limits(chosen, wishes);
+  std::vector<HalfTurn> turns;
+  for (const int row : chosen.rows) turns.push_back(candidates[static_cast<std::size_t>(row)]);
+  return turns;
+}
+
+std::vector<HalfTurn> in_order(const std::vector<HalfTurn>& turns, const Monitor& monitor) {
   std::vector<HalfTurn> ordered;
-  for (const int place : reading_order(turns)) {
+  for (const int place : reading_order(turns, monitor)) {
     ordered.push_back(turns[static_cast<std::size_t>(place)]);
   }
+  return ordered;
+}
+
+// Leaves joints where they are; by how much a reading may lose in precision by that is `slack`.
+std::vector<HalfTurn> walk(const ArmModel& arm, const HalfTurnWishes& wishes,
+                           const std::vector<HalfTurn>& ordered, double slack) {
   const auto u = [&](const HalfTurn& turn) { return readings_of(arm, {turn}, wishes).front().u; };
   return walk_through(arm, wishes.room, ordered,
                       [&](const HalfTurn& tried, const HalfTurn& planned) {
-                        return u(tried) <= (1.0 + slack) * u(planned);
+                        constexpr double kRounding = 1e-9;
+                        return u(tried) <= (1.0 + slack + kRounding) * u(planned);
                       });
 }
 
@@ -209,40 +255,16 @@ HalfTurnPlan plan_half_turns(const ArmModel& arm, const HalfTurnWishes& wishes,
   const auto candidates = half_turn_candidates(arm, wishes.room, wishes.candidates, wishes.seed,
                                                plan.rejections, monitor);
   plan.candidates = static_cast<int>(candidates.size());
-  if (candidates.empty()) {
-    throw ImpossiblePlan(fmt::format("no half turn is possible: {}", explain(plan.rejections)));
-  }
   const auto readings = readings_of(arm, candidates, wishes);
-  const DeterminedParameters seen = determined_parameters(arm, readings, everything(arm));
-  if (const auto missing = unseen(arm, seen, wishes); !missing.empty()) {
-    throw ImpossiblePlan(fmt::format("{} ({} found) do not determine {}; {}",
-                                     joints_of(wishes.room), plan.candidates,
-                                     fmt::join(missing, ", "), explain(plan.rejections)));
-  }
-  plan.unknowns = seen.unknowns;
-  check_count(wishes, plan.rank());
-  if (plan.candidates < wishes.readings) {
-    throw ImpossiblePlan(fmt::format("only {} different half turns are possible, {} are wanted: {}",
-                                     plan.candidates, wishes.readings, explain(plan.rejections)));
-  }
-
-  ExchangeOptions exchange;
-  exchange.observations = wishes.readings;
-  exchange.limits = {wishes.least_redundancy, wishes.largest_unnamed_mm};
-  exchange.starts = wishes.starts;
-  exchange.seed = wishes.seed;
-  exchange.threads = wishes.threads;
-  exchange.monitor = monitor;
-  const Eigen::MatrixXd design = design_matrix(arm, readings)(Eigen::all, plan.unknowns);
-  const ChosenObservations chosen = choose_observations(design, uncertainties(readings), exchange);
-  check_limits(chosen, wishes);
-  std::vector<HalfTurn> turns;
-  for (const int row : chosen.rows) turns.push_back(candidates[static_cast<std::size_t>(row)]);
-
+  plan.unknowns = seen_unknowns(plan, readings);
+  check_counts(plan);
+  const auto ordered = in_order(choose(plan, candidates, readings, monitor), monitor);
   // Joints that stay where they are change the levers of the encoders: within limits, or not at
   // all.
-  for (const double slack : {0.05, 0.0, -1.0}) {
-    predict_result(plan, in_order(arm, wishes, turns, slack));
+  constexpr double kSlack = 0.05;
+  constexpr double kNoWalk = -1.0;
+  for (const double slack : {kSlack, 0.0, kNoWalk}) {
+    predict_result(plan, walk(arm, wishes, ordered, slack));
     if (keeps_limits(plan)) break;
   }
   plan.length_error_mm = predicted_length_error_mm(

@@ -14,15 +14,15 @@
 namespace armcal {
 namespace {
 
-// A limit that nobody set.
-constexpr double kNoLimit = 1e100;
-
 // Angles that people set: whole degrees where they are whole.
 std::string angle(double rad) {
   const double deg = degrees_from_radians(rad);
   const bool whole = std::abs(deg - std::round(deg)) < 1e-6;
   return fixed(deg, whole ? 0 : 1);
 }
+
+// The size of an error; none where no size is ever found.
+std::string size(double mm) { return std::isfinite(mm) ? fixed(mm, 3) : "-"; }
 
 // "q4 0 -> 90, q6 -90 -> 45": what is set between two readings; all of it before the first one.
 std::string changes(const HalfTurnPlan& plan, std::size_t i) {
@@ -79,7 +79,7 @@ std::vector<std::string> worksheet_row(const HalfTurnPlan& plan, std::size_t i) 
   for (const double each : reading.turn.posture_rad) cells.push_back(angle(each));
   cells.insert(cells.end(),
                {fixed(reading.distance_mm, 3), fixed(reading.u_mm, 4), fixed(reading.redundancy, 3),
-                fixed(reading.detectable_mm, 3), fixed(reading.nameable_mm, 3), changes(plan, i)});
+                size(reading.detectable_mm), size(reading.nameable_mm), changes(plan, i)});
   return cells;
 }
 
@@ -155,13 +155,18 @@ std::string text_result(const HalfTurnPlan& plan) {
   text += fmt::format("  rms error of a length between two random tip positions {} mm\n",
                       fixed(plan.length_error_mm, 4));
   text += fmt::format("  smallest redundancy number {}\n", fixed(plan.least_redundancy(), 3));
-  text += fmt::format("  an error of {} mm in any one reading is found and named\n",
-                      fixed(plan.largest_unnamed_mm(), 3));
+  text += std::isfinite(plan.largest_unnamed_mm())
+              ? fmt::format("  an error of {} mm in any one reading is found and named\n",
+                            size(plan.largest_unnamed_mm()))
+              : "  an error in some readings cannot be told from one in others\n";
   text += fmt::format("  {} joints are set between the readings\n", plan.joints_set);
   text += "\nParameters: predicted standard uncertainties\n" + parameters_text(plan);
   text +=
       "\nWorksheet (mm, deg): lock the posture q1.., read the tip, turn one joint, read again\n" +
       worksheet_text(plan);
+  text +=
+      "  found, named: smallest error of this reading that is found (80 %), and named as well "
+      "(99.9 %)\n";
   return text;
 }
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "armcal/arm/estimability.h"
 #include "armcal/core/units.h"
@@ -104,8 +105,8 @@ std::vector<int> in_wanted_order(const ArmModel& arm, const ParameterTable& tabl
 }
 
 // Of the wanted parameters, those that this design can determine; in words why not the others.
-DeterminedParameters choose_unknowns(const Eigen::MatrixXd& design, std::vector<int> wanted,
-                                     const ParameterTable& table,
+DeterminedParameters choose_unknowns(const ArmModel& arm, const Eigen::MatrixXd& design,
+                                     std::vector<int> wanted, const ParameterTable& table,
                                      const AdjustmentOptions& options) {
   DeterminedParameters choice;
   for (;;) {
@@ -154,14 +155,35 @@ DeterminedParameters choose_unknowns(const Eigen::MatrixXd& design, std::vector<
       return choice;
     }
     const bool is_length = table[weakest].unit == ParameterUnit::mm;
+    const auto convention = held_by_convention(arm, table[weakest]);
     choice.held.push_back(
         {table[weakest].name,
-         fmt::format("the readings see {} too weakly: its standard uncertainty would be {:.2g} {}",
-                     table[weakest].name, is_length ? weakest_u : degrees_from_radians(weakest_u),
-                     is_length ? "mm" : "deg"),
+         convention
+             ? fmt::format("{} stays nominal {}", table[weakest].name, *convention)
+             : fmt::format(
+                   "the readings see {} too weakly: its standard uncertainty would be {:.2g} {}",
+                   table[weakest].name, is_length ? weakest_u : degrees_from_radians(weakest_u),
+                   is_length ? "mm" : "deg"),
          {}});
     std::erase(wanted, weakest);
   }
+}
+
+// Does the earlier choice still do at the adjusted arm? Where the new one sees no more, it may
+// trade a well-determined parameter for one of nearly the same effect (an offset along an axis that
+// is not quite parallel to another) and be as good as singular; then the earlier one stays.
+bool still_determined(const Eigen::MatrixXd& design, DeterminedParameters& choice,
+                      const DeterminedParameters& next) {
+  if (next.unknowns.size() != choice.unknowns.size()) return false;
+  const Eigen::MatrixXd part = design(Eigen::all, choice.unknowns);
+  std::vector<int> order(choice.unknowns.size());
+  std::iota(order.begin(), order.end(), 0);
+  const RankAnalysis analysis = analyse_rank(part, order);
+  constexpr double kMuchWorse = 10.0;
+  const bool is_singular = analysis.rank < static_cast<int>(order.size());
+  if (is_singular || analysis.condition_number > kMuchWorse * next.condition_number) return false;
+  choice.condition_number = analysis.condition_number;
+  return true;
 }
 
 // Statistics of every reading from the whitened residuals and the whitened design of the unknowns.
@@ -243,10 +265,9 @@ Adjustment adjust_once(const ArmModel& nominal, std::span<const SymmetricReading
   SmallSolution solution;
   constexpr int kRounds = 4;
   for (int round = 0; round < kRounds; ++round) {
-    const DeterminedParameters next = choose_unknowns(design, wanted, table, options);
-    const bool settled = round > 0 && next.unknowns == choice.unknowns;
+    const DeterminedParameters next = choose_unknowns(nominal, design, wanted, table, options);
+    if (round > 0 && still_determined(design, choice, next)) break;
     choice = next;
-    if (settled) break;
     if (choice.unknowns.empty()) {
       result.status = AdjustmentStatus::nothing_determined;
       result.undetermined = choice.held;
@@ -346,7 +367,7 @@ DeterminedParameters determined_parameters(const ArmModel& arm,
                                            std::span<const SymmetricReading> readings,
                                            const AdjustmentOptions& options) {
   const ParameterTable table(arm);
-  return choose_unknowns(design_matrix(arm, readings),
+  return choose_unknowns(arm, design_matrix(arm, readings),
                          in_wanted_order(arm, table, readings, options.unknowns), table, options);
 }
 

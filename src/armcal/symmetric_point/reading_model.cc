@@ -131,17 +131,16 @@ ReadingPrediction predict(const ArmModel& arm, const SymmetricReading& reading) 
   ARMCAL_INVARIANT(reading.joint >= 1 && reading.joint <= arm.joint_count());
   ARMCAL_INVARIANT(reading.posture_rad.size() == arm.joint_count());
   const ForwardKinematics kinematics(arm);
-  const ParameterTable table(arm);
   ReadingPrediction prediction;
   switch (reading.kind) {
     case SymmetricKind::reversal:
       prediction = reversal(kinematics, arm, reading);
       break;
     case SymmetricKind::circle_radius:
-      prediction = circle_radius(kinematics, table, arm, reading);
+      prediction = circle_radius(kinematics, ParameterTable(arm), arm, reading);
       break;
     case SymmetricKind::zero_search:
-      prediction = zero_search(kinematics, table, arm, reading);
+      prediction = zero_search(kinematics, ParameterTable(arm), arm, reading);
       break;
   }
   return prediction;
