@@ -15,11 +15,6 @@
 namespace armcal {
 namespace {
 
-std::string resolved(const std::string& session, const std::string& path) {
-  if (path == "-" || std::filesystem::path(path).is_absolute()) return path;
-  return (std::filesystem::path(session).parent_path() / path).lexically_normal().string();
-}
-
 std::optional<AngleUnit> angle_unit_of(TomlSection& section, Diagnostics& diagnostics) {
   const auto text = section.text("angles");
   if (!text) return std::nullopt;
@@ -76,7 +71,7 @@ void read_kind_keys(TomlSection& section, SessionGroup& group, Diagnostics& diag
   switch (group.kind) {
     case ReferenceKind::artefact:
       if (const auto artefact = section.required_text("artefact")) {
-        group.artefact_file = resolved(group.where.file, *artefact);
+        group.artefact_file = path_beside(group.where.file, *artefact);
       }
       break;
     case ReferenceKind::length:
@@ -132,7 +127,7 @@ SessionGroup read_group(TomlSection section, const std::string& path,
     }
     group.kind = known.value_or(group.kind);
   }
-  if (const auto file = section.text("file")) group.file = resolved(path, *file);
+  if (const auto file = section.text("file")) group.file = path_beside(path, *file);
   const bool in_place = group.kind == ReferenceKind::length && section.has("length_mm");
   if (group.file.empty() && !in_place) {
     diagnostics.error(section.where(), "file is missing here",
@@ -250,7 +245,7 @@ std::optional<Session> read_session_file(const TextFile& file, Diagnostics& diag
   session.file = file.path;
   session.name = root.text("name").value_or("");
   static_cast<void>(root.text("note"));
-  if (const auto arm = root.required_text("arm")) session.arm_file = resolved(file.path, *arm);
+  if (const auto arm = root.required_text("arm")) session.arm_file = path_beside(file.path, *arm);
   const SessionDefaults defaults{angle_unit_of(root, diagnostics),
                                  u_encoder_of(root, diagnostics).value_or(0.0)};
   for (TomlSection& section : root.sections("observations")) {

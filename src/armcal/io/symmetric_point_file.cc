@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <numbers>
 #include <set>
 
@@ -23,11 +22,6 @@ constexpr double kClaimUncertainty_mm = 0.0005;
 constexpr double kClaimUncertainty_deg = 0.0005;
 
 const std::vector<std::string> kKinds = {"reversal", "circle_radius", "zero_search"};
-
-std::string resolved(const std::string& beside, const std::string& path) {
-  if (path == "-" || std::filesystem::path(path).is_absolute()) return path;
-  return (std::filesystem::path(beside).parent_path() / path).lexically_normal().string();
-}
 
 std::optional<SymmetricKind> kind_of(TomlSection& section, Diagnostics& diagnostics) {
   const auto kind = section.required_text("kind");
@@ -97,7 +91,7 @@ SymmetricReading read_reading(TomlSection section, const std::string& path, std:
   const auto file = section.text("file");
   if (kind && file) {
     reading.raw = RawSymmetricPoints{};
-    reading.raw->file = resolved(path, *file);
+    reading.raw->file = path_beside(path, *file);
     reading.u = section.number("u_mm").value_or(0.0);
     if (reading.u < 0.0) diagnostics.error(section.where("u_mm"), "u_mm must not be negative");
   } else if (kind) {
@@ -226,7 +220,7 @@ std::optional<SymmetricPointProcedure> read_symmetric_point_file(const TextFile&
   procedure.file = file.path;
   static_cast<void>(root.text("name"));
   static_cast<void>(root.text("note"));
-  if (const auto arm = root.required_text("arm")) procedure.arm_file = resolved(file.path, *arm);
+  if (const auto arm = root.required_text("arm")) procedure.arm_file = path_beside(file.path, *arm);
   const auto u_mm = root.number("u_mm");
   if (u_mm && !(*u_mm > 0.0)) diagnostics.error(root.where("u_mm"), "u_mm must be larger than 0");
   for (TomlSection& section : root.sections("reading")) {

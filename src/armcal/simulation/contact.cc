@@ -39,7 +39,13 @@ TakenReading take_on(Laboratory& laboratory, const Feature& feature, const std::
                                what, feature.at_mm.x(), feature.at_mm.y(), feature.at_mm.z()));
 }
 
+bool is_beyond_reach(const VirtualArm& arm, const Eigen::Vector3d& point_mm) {
+  const Eigen::Vector3d shoulder_mm = arm.truth().base_from_first_joint.translation_mm;
+  return (point_mm - shoulder_mm).norm() > reach_mm(arm.truth());
+}
+
 bool is_within_reach(Laboratory& laboratory, const Feature& feature) {
+  if (is_beyond_reach(laboratory.arm(), feature.at_mm)) return false;
   const ForwardKinematics kinematics(laboratory.arm().truth());
   // A stop or a column leaves one start in ten or so; a point that twenty miss is given up.
   constexpr int kMost = 60;

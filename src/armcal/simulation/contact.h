@@ -15,6 +15,9 @@ namespace armcal {
 [[nodiscard]] TakenReading take_on(Laboratory& laboratory, const Feature& feature,
                                    const std::string& what);
 
+/// Is a point of the base frame so far from the shoulder that no posture gets there?
+[[nodiscard]] bool is_beyond_reach(const VirtualArm& arm, const Eigen::Vector3d& point_mm);
+
 /// Is the feature reached in more ways than one, as far as some dozen tries tell?
 [[nodiscard]] bool is_within_reach(Laboratory& laboratory, const Feature& feature);
 
