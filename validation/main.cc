@@ -42,7 +42,7 @@ bool report(const Scenario& scenario, const std::vector<Finding>& findings, int 
 }
 
 struct Settings {
-  int trials = 4000;
+  int trials = 2000;
   int threads = 2;
   std::uint64_t seed = 1;
   double noise_factor = 1.0;

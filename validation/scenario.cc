@@ -15,7 +15,8 @@ namespace armcal::validation {
 namespace {
 
 constexpr double kEncoder_rad = radians_from_arcseconds(2.0);
-constexpr double kEccentricity_rad = radians_from_arcseconds(10.0);
+constexpr ScaleEccentricity kEccentricity = {.u_first_rad = radians_from_arcseconds(10.0),
+                                             .u_second_rad = radians_from_arcseconds(4.0)};
 
 ArmModel arm_of(const std::string& path) {
   Diagnostics diagnostics;
@@ -88,19 +89,18 @@ std::vector<Scenario> all_scenarios(const std::string& examples) {
        .nominal = seven,
        .measure = by_cmm},
       {.name = "eccentric-scales-not-modelled",
-       .description = "as reference-cmm, scales eccentric by 10 arcsec, not modelled",
+       .description = "as reference-cmm, scales that err by 10 arcsec once and 4 arcsec twice per "
+                      "turn, not modelled",
        .nominal = six,
        .measure = by_cmm,
-       .harmonics = 1,
-       .u_harmonic_rad = kEccentricity_rad,
+       .eccentricity = kEccentricity,
        .model_is_complete = false},
       {.name = "eccentric-scales-modelled",
-       .description = "the same with one harmonic per joint",
+       .description = "the same with two harmonics per joint",
        .nominal = six,
        .measure = by_cmm,
-       .options = {.harmonics = 1},
-       .harmonics = 1,
-       .u_harmonic_rad = kEccentricity_rad,
+       .options = {.harmonics = 2},
+       .eccentricity = kEccentricity,
        .largest_rms_ratio = 1.2},
   };
 }

@@ -19,9 +19,8 @@ struct Scenario {
   CalibrationOptions options;
   /// Half turns by the adjustment of the symmetric-point method instead of the identification.
   bool by_adjustment = false;
-  double u_encoder_rad = 0.0;    ///< of the virtual encoders, and told to the identification
-  int harmonics = 0;             ///< that the true encoders have
-  double u_harmonic_rad = 0.0;   ///< standard deviation of their amplitudes
+  double u_encoder_rad = 0.0;  ///< of the virtual encoders, and told to the identification
+  ScaleEccentricity eccentricity;
   double u_held_out_mm = 0.003;  ///< noise of held-out points, each coordinate
   /// False: the model lacks what the arm has. Then only the words of the report are judged.
   bool model_is_complete = true;

@@ -15,17 +15,18 @@ constexpr int kPredictedTips = 4;
 constexpr int kHeldOutPoints = 20;
 constexpr std::uint64_t kPilot = 1'000'000;  // streams of the plan, after those of trials
 
+// Harmonics that eccentric scales have.
+int harmonics_of(const Scenario& scenario) { return scenario.eccentricity.is_on() ? 2 : 0; }
+
 // The nominal arm with errors of the usual size in the chosen parameters.
 ArmModel true_arm(const Scenario& scenario, const ArmModel& drawing, const std::vector<int>& free,
                   RandomStream& random) {
   const ParameterTable table(drawing);
+  const ArmModel built = drawn_arm(drawing, GeometryErrors::typical(), random);
   const Eigen::VectorXd drawn =
-      parameter_values(drawn_arm(drawing, GeometryErrors::typical(), random));
+      parameter_values(with_eccentric_scales(built, scenario.eccentricity, random));
   Eigen::VectorXd values = table.nominal();
-  for (const int index : free) {
-    values(index) =
-        table[index].harmonic > 0 ? scenario.u_harmonic_rad * random.normal() : drawn(index);
-  }
+  for (const int index : free) values(index) = drawn(index);
   return with_parameter_values(drawing, values);
 }
 
@@ -95,7 +96,7 @@ Plan plan_of(const Scenario& scenario, std::uint64_t seed, double noise_factor) 
   Plan plan{.scenario = &scenario, .seed = seed, .noise_factor = noise_factor};
   plan.drawing = scenario.nominal;
   for (Joint& joint : plan.drawing.joints) {
-    joint.harmonics.resize(static_cast<std::size_t>(scenario.harmonics));
+    joint.harmonics.resize(static_cast<std::size_t>(harmonics_of(scenario)));
   }
   const ParameterTable table(plan.drawing);
   std::vector<int> everything;
@@ -104,7 +105,7 @@ Plan plan_of(const Scenario& scenario, std::uint64_t seed, double noise_factor) 
   Laboratory pilot =
       laboratory_of(scenario, true_arm(scenario, plan.drawing, everything, random), random.bits());
   Scenario complete = scenario;
-  complete.options.harmonics = scenario.harmonics;
+  complete.options.harmonics = harmonics_of(scenario);
   const Estimate estimated = estimate(complete, readings(plan, pilot));
   if (!estimated.ok) throw std::runtime_error(scenario.name + ": " + estimated.problem);
   plan.free = estimated.free;
