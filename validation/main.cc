@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
 
 #include "armcal/core/parallel.h"
 #include "armcal/report/text_table.h"

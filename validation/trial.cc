@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trial.h"
 
+#include <cmath>
 #include <stdexcept>
 
 #include "armcal/arm/parameter_table.h"
