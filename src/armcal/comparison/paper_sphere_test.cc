@@ -15,17 +15,13 @@ std::map<std::string, NeglectedEffect> by_name(const std::vector<NeglectedEffect
   return named;
 }
 
-TEST(PaperSphere, LosesNothingOfWhatTheProcedureMeasures) {
-  const auto effects = by_name(study_paper_sphere({.arms = 6}));
+// A still wrist takes the same error to every point of a small sphere.
+TEST(PaperSphere, LosesNothingOfWhatIsMeasuredAndShowsTheRestOnlyInSeveralArticulations) {
+  const auto effects = by_name(study_paper_sphere({.arms = 4}));
   const NeglectedEffect& lengths = effects.at("lengths");
-  EXPECT_GE(lengths.arms, 4);
+  EXPECT_GE(lengths.arms, 3);
   EXPECT_LT(lengths.five_articulations.largest95_mm, 1e-6);
   EXPECT_LT(lengths.five_articulations.median_form_mm, 1e-6);
-}
-
-// A still wrist takes the same error to every point of a small sphere.
-TEST(PaperSphere, HidesInOneArticulationWhatFiveShow) {
-  const auto effects = by_name(study_paper_sphere({.arms = 6}));
   for (const char* name : {"twists", "zeros", "offsets"}) {
     const NeglectedEffect& effect = effects.at(name);
     EXPECT_GT(effect.five_articulations.median_form_mm,
@@ -35,8 +31,8 @@ TEST(PaperSphere, HidesInOneArticulationWhatFiveShow) {
 }
 
 TEST(PaperSphere, GivesTheSameDigitsOnOneAndTwoThreads) {
-  const auto one = study_paper_sphere({.arms = 2, .threads = 1});
-  const auto two = study_paper_sphere({.arms = 2, .threads = 2});
+  const auto one = study_paper_sphere({.arms = 1, .threads = 1});
+  const auto two = study_paper_sphere({.arms = 1, .threads = 2});
   for (std::size_t i = 0; i < one.size(); ++i) {
     EXPECT_EQ(one[i].arms, two[i].arms);
     EXPECT_EQ(one[i].five_articulations.median_mm, two[i].five_articulations.median_mm);

@@ -13,8 +13,12 @@
 namespace armcal {
 namespace {
 
-// Each end is touched once, as everything else on this bench.
-double u_distance_mm(const Bench& bench) { return std::numbers::sqrt2 * bench.u_reference_mm; }
+// Each end is touched once, as everything else on this bench. Weights must be finite: perfect
+// references are stated as 1 um.
+double u_distance_mm(const Bench& bench) {
+  const double u_mm = bench.u_reference_mm > 0.0 ? bench.u_reference_mm : 0.001;
+  return std::numbers::sqrt2 * u_mm;
+}
 
 SymmetricPointProcedure planned(const Bench& bench, int half_turns) {
   HalfTurnWishes wishes;
