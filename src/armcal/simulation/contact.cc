@@ -41,11 +41,13 @@ TakenReading take_on(Laboratory& laboratory, const Feature& feature, const std::
 
 bool is_within_reach(Laboratory& laboratory, const Feature& feature) {
   const ForwardKinematics kinematics(laboratory.arm().truth());
-  constexpr int kMost = 12;
+  // A stop or a column leaves one start in ten or so; a point that twenty miss is given up.
+  constexpr int kMost = 60;
+  constexpr int kMostInVain = 20;
   constexpr int kEnough = 2;
   int reached = 0;
   for (int i = 0; i < kMost && reached < kEnough; ++i) {
-    if (i == kMost / 2 && reached == 0) return false;
+    if (i == kMostInVain && reached == 0) return false;
     const auto posture = laboratory.arm().posture_with_tip_at(
         feature.at_mm, laboratory.free_posture(), now(laboratory, feature));
     reached += posture && stands_on_free_side(kinematics, *posture, feature);

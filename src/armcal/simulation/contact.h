@@ -15,7 +15,7 @@ namespace armcal {
 [[nodiscard]] TakenReading take_on(Laboratory& laboratory, const Feature& feature,
                                    const std::string& what);
 
-/// Is the feature reached from many sides: from two postures at random out of a dozen?
+/// Is the feature reached in more ways than one, as far as some dozen tries tell?
 [[nodiscard]] bool is_within_reach(Laboratory& laboratory, const Feature& feature);
 
 /// Takes `count` readings with the tip in a seat that holds it at the feature, but for its

@@ -16,8 +16,8 @@ namespace armcal {
 struct HalfTurns {
   std::string name = "half-turns";
   int count = 40;
-  std::vector<int> joints;  ///< one after the other, from 1; empty: all but the last, whose half
-                            ///< turns see little of the arm
+  std::vector<int> joints;  ///< one after the other, from 1; empty: all whose stops leave room, but
+                            ///< for the last, whose half turns see little of the arm
   double u_mm = 0.005;      ///< of a distance
 };
 
@@ -30,7 +30,7 @@ struct HalfTurns {
 struct CircleRadii {
   std::string name = "circles";
   int count = 40;
-  std::vector<int> joints;                       ///< one after the other, from 1; empty: all
+  std::vector<int> joints;  ///< one after the other, from 1; empty: all whose stops leave room
   double arc_rad = radians_from_degrees(120.0);  ///< half of it to each side of the posture
   double u_mm = 0.005;                           ///< of a radius
 };

@@ -1,0 +1,186 @@
+// SPDX-FileCopyrightText: the armcal authors
+// SPDX-License-Identifier: Apache-2.0
+// What every instrument and artefact measures without noise, calibration turns into the truth.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <iostream>
+
+#include "armcal/arm/forward_kinematics.h"
+#include "armcal/arm/parameter_table.h"
+#include "armcal/core/units.h"
+#include "armcal/identification/calibration.h"
+#include "armcal/simulation/artefacts/ball_bar.h"
+#include "armcal/simulation/artefacts/calibrated_sphere.h"
+#include "armcal/simulation/artefacts/cone_seat.h"
+#include "armcal/simulation/artefacts/flat_surface.h"
+#include "armcal/simulation/artefacts/indexed_platform.h"
+#include "armcal/simulation/artefacts/multi_sphere_gauge.h"
+#include "armcal/simulation/artefacts/sphere_plate.h"
+#include "armcal/simulation/artefacts/straight_line.h"
+#include "armcal/simulation/artefacts/two_seats.h"
+#include "armcal/simulation/instruments/half_turns.h"
+#include "armcal/simulation/instruments/laser_tracker.h"
+#include "armcal/simulation/instruments/pose_tracker.h"
+#include "armcal/simulation/instruments/reference_cmm.h"
+#include "armcal/testing/random_arms.h"
+#include "armcal/testing/wang2016_arm.h"
+
+namespace armcal {
+namespace {
+
+using Groups = std::vector<ObservationGroup>;
+
+// Proportions of a 2.5 m arm of seven joints, with stops (examples/arms/seven-joint.arm.toml).
+ArmModel seven_joint_arm() {
+  ArmModel arm;
+  arm.name = "seven-joint measuring arm";
+  arm.links.resize(6);
+  for (std::size_t i = 0; i < 6; ++i) {
+    arm.links[i].alpha_rad = radians_from_degrees(i % 2 == 0 ? 90.0 : -90.0);
+  }
+  arm.links[0].d_mm = 300.0;
+  arm.links[1].b_mm = 600.0;
+  arm.links[2].a_mm = 45.0;
+  arm.links[3].b_mm = 500.0;
+  arm.links[4].a_mm = 35.0;
+  arm.links[5].b_mm = 100.0;
+  arm.tip = {.a_mm = 30.0, .b_mm = 0.0, .d_mm = 150.0};
+  constexpr double kStops_deg[7][2] = {{-360, 360}, {-60, 120},  {-360, 360}, {-30, 210},
+                                       {-360, 360}, {-110, 110}, {-360, 360}};
+  for (const auto& [low, high] : kStops_deg) {
+    arm.joints.push_back(
+        {.min_rad = radians_from_degrees(low), .max_rad = radians_from_degrees(high)});
+  }
+  return arm;
+}
+
+ArmModel nominal_arm(int joints) {
+  return joints == 6 ? testing::nominal_romer() : seven_joint_arm();
+}
+
+struct Method {
+  const char* name;
+  Groups (*measure)(Laboratory&);
+};
+
+Groups both(Groups one, const Groups& other) {
+  one.insert(one.end(), other.begin(), other.end());
+  return one;
+}
+
+const Method kMethods[] = {
+    {"reference_cmm", [](Laboratory& l) { return measure(l, ReferenceCmm{.u_mm = 0.0}); }},
+    {"laser_tracker",
+     [](Laboratory& l) {
+       return measure(l, LaserTracker{.u_distance_mm = 0.0, .u_angle_rad = 0.0});
+     }},
+    {"pose_tracker",
+     [](Laboratory& l) { return measure(l, PoseTracker{.u_mm = 0.0, .u_turn_rad = 0.0}); }},
+    {"half_turns", [](Laboratory& l) { return measure(l, HalfTurns{.count = 80, .u_mm = 0.0}); }},
+    {"half_turns_and_circles",
+     [](Laboratory& l) {
+       return both(measure(l, HalfTurns{.count = 40, .u_mm = 0.0}),
+                   measure(l, CircleRadii{.count = 40, .u_mm = 0.0}));
+     }},
+    {"cones_and_two_seats",
+     [](Laboratory& l) {
+       return both(measure(l, ConeSeat{.seats = 2, .postures = 40, .u_mm = 0.0}),
+                   measure(l, TwoSeats{.u_length_mm = 0.0, .u_mm = 0.0}));
+     }},
+    {"two_seats",
+     [](Laboratory& l) { return measure(l, TwoSeats{.u_length_mm = 0.0, .u_mm = 0.0}); }},
+    {"ball_bar", [](Laboratory& l) { return measure(l, BallBar{.u_mm = 0.0}); }},
+    {"gauge", [](Laboratory& l) { return measure(l, MultiSphereGauge{.u_mm = 0.0}); }},
+    {"gauge_as_points",
+     [](Laboratory& l) {
+       return measure(l, MultiSphereGauge{.placements = 2,
+                                          .u_mm = 0.0,
+                                          .form = MultiSphereGauge::Form::points,
+                                          .u_length_mm = 0.0});
+     }},
+    {"sphere_plate", [](Laboratory& l) { return measure(l, SpherePlate{.u_mm = 0.0}); }},
+    {"straight_line", [](Laboratory& l) { return measure(l, StraightLine{.u_mm = 0.0}); }},
+    {"sphere",
+     [](Laboratory& l) {
+       return measure(l, CalibratedSphere{.placements = 4, .points = 50, .u_mm = 0.0});
+     }},
+    {"unknown_sphere_and_two_seats",
+     [](Laboratory& l) {
+       return both(measure(l, CalibratedSphere{.u_mm = 0.0, .is_known = false}),
+                   measure(l, TwoSeats{.u_length_mm = 0.0, .u_mm = 0.0}));
+     }},
+    {"plane_and_two_seats",
+     [](Laboratory& l) {
+       return both(measure(l, FlatSurface{.u_mm = 0.0}),
+                   measure(l, TwoSeats{.u_length_mm = 0.0, .u_mm = 0.0}));
+     }},
+};
+
+class RoundTrip : public ::testing::TestWithParam<std::tuple<int, Method>> {};
+
+std::vector<int> free_of(const Calibration& calibration) {
+  std::vector<int> free;
+  for (std::size_t i = 0; i < calibration.parameters.size(); ++i) {
+    if (calibration.parameters[i].status == ParameterStatus::free) {
+      free.push_back(static_cast<int>(i));
+    }
+  }
+  return free;
+}
+
+// The errors of a real arm in the parameters that the readings determine, none in those that they
+// leave to convention: then the truth has one form.
+ArmModel truth_in_free_parameters(const ArmModel& nominal, const ArmModel& drawn,
+                                  const std::vector<int>& free) {
+  Eigen::VectorXd values = parameter_values(nominal);
+  const Eigen::VectorXd all = parameter_values(drawn);
+  for (const int i : free) values(i) = all(i);
+  return with_parameter_values(nominal, values);
+}
+
+TEST_P(RoundTrip, FindsTheTruth) {
+  const auto& [joints, method] = GetParam();
+  const ArmModel nominal = nominal_arm(joints);
+  RandomStream random(11, 0);
+  const ArmModel drawn = drawn_arm(nominal, GeometryErrors::typical(), random);
+  Laboratory first(VirtualArm(nominal, drawn, {}, 1), 12);
+  auto t0 = std::chrono::steady_clock::now();
+  const Calibration look = identifiability(nominal, method.measure(first), {});
+  ASSERT_TRUE(look.ok()) << explain(look.status) << look.detail;
+  const std::vector<int> free = free_of(look);
+  EXPECT_EQ(free.size(), static_cast<std::size_t>(4 * joints - 3));
+
+  const ArmModel truth = truth_in_free_parameters(nominal, drawn, free);
+  Laboratory laboratory(VirtualArm(nominal, truth, {}, 1), 13);
+  auto t1 = std::chrono::steady_clock::now();
+  const auto groups = method.measure(laboratory);
+  auto t2 = std::chrono::steady_clock::now();
+  const Calibration calibration = calibrate(nominal, groups, {});
+  auto t3 = std::chrono::steady_clock::now();
+  ASSERT_TRUE(calibration.ok()) << explain(calibration.status) << calibration.detail
+                                << to_string(calibration.termination);
+  double mm = 0, rad = 0;
+  for (const CalibratedParameter& each : calibration.parameters) {
+    const double error =
+        each.value - parameter_values(truth)(&each - calibration.parameters.data());
+    EXPECT_NEAR(error, 0.0, each.unit == ParameterUnit::mm ? 1e-6 : 1e-9) << each.name;
+    (each.unit == ParameterUnit::mm ? mm : rad) =
+        std::max(each.unit == ParameterUnit::mm ? mm : rad, std::abs(error));
+  }
+  auto ms = [](auto d) { return std::chrono::duration<double, std::milli>(d).count(); };
+  std::cout << method.name << " free " << free.size() << " mm " << mm << " rad " << rad << " cond "
+            << calibration.condition_number << " iter " << calibration.iterations << " sim "
+            << ms(t2 - t1) << " cal " << ms(t3 - t2) << " first " << ms(t1 - t0) << "\n";
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, RoundTrip,
+                         ::testing::Combine(::testing::Values(6, 7), ::testing::ValuesIn(kMethods)),
+                         [](const auto& each) {
+                           return std::string(std::get<1>(each.param).name) + "_" +
+                                  std::to_string(std::get<0>(each.param)) + "_joints";
+                         });
+
+}  // namespace
+}  // namespace armcal
