@@ -15,6 +15,7 @@ std::vector<Command> all_commands() {
           predict_command(),
           probe_command(),
           verify_command(),
+          simulate_command(),
           convert_command(),
           diff_command()};
 }

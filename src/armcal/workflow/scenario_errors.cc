@@ -34,7 +34,10 @@ template <class Errors>
 Source source(const std::string& name, Errors ErrorSources::*member) {
   return {name, names_of(keys_of(Errors{})),
           [=](TomlSection& section, ErrorSources& sources, Diagnostics& diagnostics) {
-            if (section.boolean("typical").value_or(false)) sources.*member = Errors::typical();
+            const bool typical = section.boolean("typical").value_or(false);
+            if constexpr (requires { Errors::typical(); }) {
+              if (typical) sources.*member = Errors::typical();
+            }
             read_keys(section, keys_of(Errors{}), sources.*member, diagnostics);
             section.finish();
           }};
