@@ -14,6 +14,10 @@ namespace armcal {
 inline constexpr int kMinJoints = 2;
 inline constexpr int kMaxJoints = 10;
 
+/// Neighbouring axes nearer to parallel than this (10 deg) are described by beta instead of d and b
+/// (Hayati).
+inline constexpr double kNearlyParallel_rad = 0.17453292519943295;
+
 /// One Fourier term of the error of an encoder: cos_rad * cos(k e) + sin_rad * sin(k e).
 struct Harmonic {
   double cos_rad = 0.0;

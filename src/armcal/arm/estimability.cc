@@ -13,8 +13,6 @@
 namespace armcal {
 namespace {
 
-constexpr double kNearlyParallel_rad = radians_from_degrees(10.0);
-
 bool is_nearly_parallel(const Link& link) {
   return std::abs(std::sin(link.alpha_rad)) < std::sin(kNearlyParallel_rad);
 }

@@ -14,7 +14,6 @@ namespace armcal {
 namespace {
 
 // Within this of parallel a link is expressed with beta, as `wanted_order` wants it.
-constexpr double kNearlyParallel_rad = radians_from_degrees(10.0);
 // What rounding leaves where 0 is meant. At a reach of 10 m neither moves the tip by 1e-10 mm.
 constexpr double kRoundingAngle_rad = 1e-15;
 constexpr double kRoundingLength_mm = 1e-12;
@@ -100,7 +99,7 @@ RigidTransform pose_of(const Tip& tip) {
   return {rotation_from_roll_pitch_yaw(tip.roll_pitch_yaw_rad), {tip.a_mm, tip.b_mm, tip.d_mm}};
 }
 
-Tip tip_at(const RigidTransform& last_from_tip) {
+Tip rounded_tip_at(const RigidTransform& last_from_tip) {
   const Eigen::Vector3d p = last_from_tip.translation_mm.unaryExpr(&length_without_rounding);
   const Eigen::Vector3d angles = roll_pitch_yaw_from_rotation(last_from_tip.rotation);
   return {p.x(), p.y(), p.z(), angles.unaryExpr(&angle_without_rounding)};
@@ -138,7 +137,7 @@ ArmModel arm_from_chain(const JointChain& chain) {
     joint.max_rad = chain.joints[i].max_rad;
     if (is_last) {
       joint.zero_rad = 0.0 - here.direction * x_at_rad;
-      arm.tip = tip_at(step);
+      arm.tip = rounded_tip_at(step);
       break;
     }
     const Alignment next = alignment(chain.joints[i + 1].axis_in_joint);

@@ -37,7 +37,7 @@ struct SpatialCircle {
 // shift along `inward` and `axis`, curvature. theory/fits.md eq. (11)-(13).
 constexpr Eigen::Index kUnknowns = 6;
 
-Eigen::VectorXd moved(const Eigen::VectorXd& x, const Eigen::VectorXd& step) {
+Eigen::VectorXd moved_circle(const Eigen::VectorXd& x, const Eigen::VectorXd& step) {
   SpatialCircle circle = SpatialCircle::unpack(x);
   const Eigen::Vector3d across = circle.inward.cross(circle.axis);
   const Eigen::Matrix3d turn =
@@ -107,7 +107,7 @@ SpatialCircle orthogonal(const Scatter& scatter, const SpatialCircle& start, int
   SmallProblem problem;
   problem.residual_resolution =
       4.0 * std::max(scatter.resolution_mm / extent, std::numeric_limits<double>::epsilon());
-  problem.move = moved;
+  problem.move = moved_circle;
   problem.evaluate = [&](const Eigen::VectorXd& x, Eigen::VectorXd& r, Eigen::MatrixXd& J) {
     linearise(points, SpatialCircle::unpack(x), r, J);
   };

@@ -142,7 +142,7 @@ bool is_flat_within_scatter(const Eigen::MatrixXd& points, double sum_of_squares
   return std::abs(curvature_part) < 2.0 * u;
 }
 
-Eigen::VectorXd moved(const Eigen::VectorXd& x, const Eigen::VectorXd& step) {
+Eigen::VectorXd moved_surface(const Eigen::VectorXd& x, const Eigen::VectorXd& step) {
   Surface surface = Surface::unpack(x);
   const Eigen::Index n = surface.apex.size();
   surface.apex += step(n - 1) * surface.inward;
@@ -181,7 +181,7 @@ CurvedFit fit_curved(const Eigen::MatrixXd& points_mm, double resolution_mm,
   SmallProblem problem;
   problem.residual_resolution =
       4.0 * std::max(resolution_mm / extent, std::numeric_limits<double>::epsilon());
-  problem.move = moved;
+  problem.move = moved_surface;
   problem.evaluate = [&](const Eigen::VectorXd& x, Eigen::VectorXd& residuals,
                          Eigen::MatrixXd& jacobian) {
     Linearisation at = linearise(points, Surface::unpack(x));

@@ -40,6 +40,11 @@ void attach_covariance(Registration& fit, std::span<const Eigen::Vector3d> sourc
   }
 }
 
+// Of u * v^T: 1 for a rotation, -1 for a reflection.
+double handedness(const SingularValueDecomposition& svd) {
+  return (svd.u * svd.v.transpose()).determinant() < 0.0 ? -1.0 : 1.0;
+}
+
 // Sums of squares with the best rotation and with the best reflection, each with its best scale.
 bool mirror_fits_better(const Scatter& from, const Scatter& onto, const Eigen::VectorXd& values) {
   const auto left_over = [&](double sign) {
@@ -51,6 +56,11 @@ bool mirror_fits_better(const Scatter& from, const Scatter& onto, const Eigen::V
 }
 
 }  // namespace
+
+Eigen::Matrix3d nearest_rotation(const Eigen::Matrix3d& matrix) {
+  const auto svd = singular_value_decomposition(matrix);
+  return svd.u * Eigen::Vector3d(1.0, 1.0, handedness(svd)).asDiagonal() * svd.v.transpose();
+}
 
 Registration register_points(std::span<const Eigen::Vector3d> source,
                              std::span<const Eigen::Vector3d> target,
@@ -76,7 +86,7 @@ Registration register_points(std::span<const Eigen::Vector3d> source,
     }
   }
   const auto svd = singular_value_decomposition(onto.points_mm * from.points_mm.transpose());
-  const double sign = (svd.u * svd.v.transpose()).determinant() < 0.0 ? -1.0 : 1.0;
+  const double sign = handedness(svd);
   const Eigen::Vector3d signs(1.0, 1.0, sign);
   fit.looks_mirrored = sign < 0.0 && mirror_fits_better(from, onto, svd.values);
   // Rotations about the third direction cost the sum of the two smaller values (the third with its

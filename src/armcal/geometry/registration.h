@@ -37,4 +37,7 @@ struct RegistrationOptions : FitOptions {
                                            std::span<const Eigen::Vector3d> target,
                                            const RegistrationOptions& options = {});
 
+/// The rotation that is nearest to a matrix (least squares of the entries).
+[[nodiscard]] Eigen::Matrix3d nearest_rotation(const Eigen::Matrix3d& matrix);
+
 }  // namespace armcal

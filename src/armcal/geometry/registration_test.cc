@@ -157,5 +157,16 @@ TEST(Registration, RefusesWhenTwoRotationsFitAlike) {
   EXPECT_EQ(register_points(tetrahedron, mirrored).status, FitStatus::ambiguous);
 }
 
+TEST(NearestRotation, IsTheRotationItselfAndNeverAReflection) {
+  RandomStream random(32);
+  for (int trial = 0; trial < 50; ++trial) {
+    const Eigen::Matrix3d rotation = rotation_from_vector(testing::random_normal_vector(random));
+    EXPECT_LT((nearest_rotation(2.0 * rotation) - rotation).norm(), 1e-14);
+    const Eigen::Matrix3d nearest = nearest_rotation(-rotation);
+    EXPECT_NEAR(nearest.determinant(), 1.0, 1e-14);
+    EXPECT_LT((nearest * nearest.transpose() - Eigen::Matrix3d::Identity()).norm(), 1e-14);
+  }
+}
+
 }  // namespace
 }  // namespace armcal

@@ -36,6 +36,15 @@ Eigen::Vector3d vector_from_rotation(const Eigen::Matrix3d& rotation) {
   return q.vec() * (std::copysign(angle, q.w()) / sine);
 }
 
+Eigen::Matrix3d rotation_between(const Eigen::Vector3d& from, const Eigen::Vector3d& onto) {
+  const Eigen::Vector3d cross = from.cross(onto);
+  const double sine = cross.norm();
+  const double angle = std::atan2(sine, from.dot(onto));
+  const Eigen::Vector3d axis =
+      sine > 0.0 ? Eigen::Vector3d(cross / sine) : perpendicular_pair(from).first;
+  return rotation_from_vector(angle * axis);
+}
+
 Eigen::Matrix3d rotation_from_roll_pitch_yaw(const Eigen::Vector3d& roll_pitch_yaw_rad) {
   const double cr = std::cos(roll_pitch_yaw_rad.x());
   const double sr = std::sin(roll_pitch_yaw_rad.x());

@@ -44,6 +44,11 @@ struct RigidTransform {
 /// pi.
 [[nodiscard]] Eigen::Vector3d vector_from_rotation(const Eigen::Matrix3d& rotation);
 
+/// The least rotation that turns one unit vector onto another; between opposite ones, half a turn
+/// about some axis across.
+[[nodiscard]] Eigen::Matrix3d rotation_between(const Eigen::Vector3d& from,
+                                               const Eigen::Vector3d& onto);
+
 /// Rz(yaw) * Ry(pitch) * Rx(roll): fixed-axis angles about x, then y, then z, as in URDF.
 [[nodiscard]] Eigen::Matrix3d rotation_from_roll_pitch_yaw(
     const Eigen::Vector3d& roll_pitch_yaw_rad);

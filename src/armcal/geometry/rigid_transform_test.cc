@@ -103,5 +103,22 @@ TEST(PerpendicularPair, CompletesARightHandedTriad) {
   }
 }
 
+TEST(RotationBetween, TurnsOneDirectionOntoAnotherByTheLeastAngle) {
+  RandomStream random(31);
+  for (int trial = 0; trial < 50; ++trial) {
+    const Eigen::Vector3d from = testing::random_normal_vector(random).normalized();
+    const Eigen::Vector3d onto = testing::random_normal_vector(random).normalized();
+    const Eigen::Matrix3d rotation = rotation_between(from, onto);
+    EXPECT_LT((rotation * from - onto).norm(), 1e-14);
+    EXPECT_NEAR(vector_from_rotation(rotation).norm(), std::acos(from.dot(onto)), 1e-7);
+  }
+}
+
+TEST(RotationBetween, OppositeDirectionsIsHalfATurnAndEqualOnesNone) {
+  const Eigen::Vector3d from = Eigen::Vector3d(1.0, -2.0, 0.5).normalized();
+  EXPECT_LT((rotation_between(from, -from) * from + from).norm(), 1e-14);
+  EXPECT_LT((rotation_between(from, from) - Eigen::Matrix3d::Identity()).norm(), 1e-14);
+}
+
 }  // namespace
 }  // namespace armcal

@@ -7,6 +7,7 @@
 
 #include "armcal/identification/estimation_problem.h"
 #include "armcal/numerics/distributions.h"
+#include "armcal/numerics/median.h"
 
 namespace armcal {
 namespace {
@@ -71,10 +72,7 @@ std::vector<FlaggedRow> flagged_rows(const std::vector<ObservationResidual>& res
     const auto freedom = static_cast<double>(dimension(*each.residual));
     ratios.push_back(normalised_square(each) / chi_squared_quantile(0.5, freedom));
   }
-  std::vector<double> sorted = ratios;
-  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-  std::nth_element(sorted.begin(), middle, sorted.end());
-  const double scale = *middle;
+  const double scale = median(ratios);
   if (!(scale > 0.0)) return flagged;
   const double level = 1.0 - 0.01 / static_cast<double>(residuals.size());
   for (const ObservationResidual& each : residuals) {

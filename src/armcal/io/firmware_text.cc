@@ -33,7 +33,7 @@ std::string include_guard(std::string_view name) {
 
 /// Text within a comment: nothing that ends it, continues a line, starts a trigraph, or turns the
 /// direction of reading (U+2000 to U+206F), any of which compilers warn of.
-std::string comment(std::string_view text) {
+std::string c_comment(std::string_view text) {
   std::string result;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const char c = text[i];
@@ -183,7 +183,7 @@ FirmwareText c_header_text(const ArmModel& arm) {
       "/* Measuring arm \"{}\", written by armcal {}. Lengths in mm, angles in rad.\n"
       " * C99; link with the mathematics library (-lm). */\n"
       "#ifndef {}\n#define {}\n\n#include <math.h>\n\n{}{}\n#endif\n",
-      comment(arm.name), kVersion, guard, guard, constants(arm),
+      c_comment(arm.name), kVersion, guard, guard, constants(arm),
       tip_function(harmonics_of(arm) > 0));
   return result;
 }

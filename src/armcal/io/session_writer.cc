@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "armcal/io/number_text.h"
-#include "armcal/io/path_reference.h"
+#include "armcal/io/text_file.h"
 #include "armcal/io/toml_text.h"
 #include "armcal/io/toml_value.h"
 
@@ -55,9 +55,9 @@ std::string group_text(const SessionGroup& group, const std::string& session_fil
       !group.file.empty() && std::filesystem::path(group.file).stem() == group.name;
   std::string text = fmt::format("\n[[observations]]\nkind = \"{}\"\n", to_string(group.kind));
   if (!is_called_like_its_file) text += entry("name", group.name);
-  if (!group.file.empty()) text += entry("file", relative_path(session_file, group.file));
+  if (!group.file.empty()) text += entry("file", path_to_write(session_file, group.file));
   if (!group.artefact_file.empty()) {
-    text += entry("artefact", relative_path(session_file, group.artefact_file));
+    text += entry("artefact", path_to_write(session_file, group.artefact_file));
   }
   if (const char* key = place_key(group.kind)) text += entry(key, group.place);
   text += kind_text(group) + entry("u_mm", group.u_mm) + entry("set", group.set);
@@ -113,7 +113,7 @@ std::string estimate_text(const SessionEstimate& estimate) {
 std::string session_text(const Session& session, const std::string& note) {
   std::string text = "schema = \"armcal.session/1\"\n";
   text += entry("name", session.name) + entry("note", note) +
-          entry("arm", relative_path(session.file, session.arm_file));
+          entry("arm", path_to_write(session.file, session.arm_file));
   for (const SessionGroup& group : session.groups) text += group_text(group, session.file);
   return text + estimate_text(session.estimate);
 }

@@ -22,7 +22,7 @@ namespace {
 constexpr std::string_view kBlanks = " \t\r\n";
 // Beyond these a number has another unit than URDF's metres and radians.
 constexpr double kLargestOffset_m = 100.0;
-constexpr double kLargestAngle_rad = 4.0 * std::numbers::pi;
+constexpr double kLargestUrdfAngle_rad = 4.0 * std::numbers::pi;
 constexpr std::size_t kNamesShown = 12;
 
 template <typename Names>
@@ -280,7 +280,7 @@ class UrdfReader {
                          "lengths of a URDF are metres; are these millimetres?");
       return {};
     }
-    if (const double largest = rpy_rad.cwiseAbs().maxCoeff(); largest > kLargestAngle_rad) {
+    if (const double largest = rpy_rad.cwiseAbs().maxCoeff(); largest > kLargestUrdfAngle_rad) {
       diagnostics_.error(xml_.where(node, "rpy"),
                          fmt::format("an angle of {} rad is more than two turns", largest),
                          "angles of a URDF are radians; are these degrees?");

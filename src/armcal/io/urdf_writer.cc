@@ -46,7 +46,7 @@ std::string escaped(std::string_view text) {
 }
 
 /// Text of a comment, in which two hyphens may not stand side by side.
-std::string comment(std::string_view text) {
+std::string xml_comment(std::string_view text) {
   std::string result;
   for (const char c : text) {
     if (c == '-' && result.ends_with('-')) result += ' ';
@@ -74,7 +74,7 @@ UrdfText urdf_text(const ArmModel& arm) {
   const JointChain& chain = conversion.chain;
   UrdfText result{"<?xml version=\"1.0\"?>\n", conversion.lost};
   std::string& text = result.text;
-  if (!arm.note.empty()) text += fmt::format("<!-- {} -->\n", comment(arm.note));
+  if (!arm.note.empty()) text += fmt::format("<!-- {} -->\n", xml_comment(arm.note));
   text += fmt::format("<robot name=\"{}\">\n", escaped(arm.name.empty() ? "arm" : arm.name));
   const std::size_t n = chain.joints.size();
   for (std::size_t i = 0; i <= n; ++i) text += fmt::format("  <link name=\"link_{}\"/>\n", i);

@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "armcal/numerics/linear_algebra.h"
 #include "armcal/numerics/normal_equations.h"
 #include "armcal/numerics/step_model.h"
 
@@ -14,8 +15,6 @@ namespace armcal {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-// Rounding of a sum of squares, as a share of it.
-constexpr double kSumRounding = 1e-13;
 // A share of the cost that not even its last digit shows.
 constexpr double kNothing = 1e-17;
 // Gain, as a share of the predicted one, from which a step is taken.

@@ -10,6 +10,9 @@ namespace armcal {
 // The decompositions that the rest of the house needs, on matrices of any size. They are compiled
 // here and nowhere else: each instance of Eigen's templates costs ten seconds of every build.
 
+/// Rounding of a sum of squares, as a share of it.
+inline constexpr double kSumRounding = 1e-13;
+
 /// The x of least |x| among those of least |A x - b|. Complete orthogonal decomposition (QR with
 /// column exchange), so rank-deficient A is welcome.
 [[nodiscard]] Eigen::VectorXd shortest_solution(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);

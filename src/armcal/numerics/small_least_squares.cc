@@ -14,8 +14,6 @@ namespace {
 
 constexpr double kFirstDamping = 1e-4;
 constexpr double kLargestDamping = 1e12;
-// Rounding of a sum of squares, as a share of it.
-constexpr double kSumRounding = 1e-13;
 
 // The least gain that a sum of squares can show: its own rounding, and that of the residuals in it.
 double visible_gain(double cost, Eigen::Index rows, double resolution) {

@@ -26,7 +26,7 @@ Shown shown(const CalibratedParameter& parameter) {
   return harmonic ? Shown{1e6, "urad"} : Shown{degrees_from_radians(1.0), "deg"};
 }
 
-Json json_of(const ResidualStatistics& statistics) {
+Json statistics_json(const ResidualStatistics& statistics) {
   return {{"count", statistics.count},
           {"rms_mm", statistics.rms_mm},
           {"mean_mm", statistics.mean_mm},
@@ -53,10 +53,11 @@ Json json_of_groups(const Calibration& calibration) {
   Json groups = Json::array();
   for (const GroupResult& group : calibration.groups) {
     Json entry = {{"name", group.name}, {"kind", to_string(group.kind)}};
-    entry.update(json_of(group.fit));
-    entry["nominal"] = json_of(group.nominal);
-    if (group.check) entry["check"] = json_of(*group.check);
-    if (group.check_registered) entry["check_registered"] = json_of(*group.check_registered);
+    entry.update(statistics_json(group.fit));
+    entry["nominal"] = statistics_json(group.nominal);
+    if (group.check) entry["check"] = statistics_json(*group.check);
+    if (group.check_registered)
+      entry["check_registered"] = statistics_json(*group.check_registered);
     groups.push_back(std::move(entry));
   }
   return groups;

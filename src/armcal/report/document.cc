@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kIndent = 2;
 
-Json json_of(const Diagnostic& diagnostic) {
+Json diagnostic_json(const Diagnostic& diagnostic) {
   Json entry;
   entry["message"] = diagnostic.message;
   entry["help"] = diagnostic.remedy.empty() ? Json() : Json(diagnostic.remedy);
@@ -34,7 +34,7 @@ Json head_of(const DocumentHead& head) {
   document["seed"] = head.seed ? Json(*head.seed) : Json();
   document["warnings"] = Json::array();
   for (const Diagnostic& warning : head.diagnostics.warnings()) {
-    document["warnings"].push_back(json_of(warning));
+    document["warnings"].push_back(diagnostic_json(warning));
   }
   return document;
 }
@@ -60,7 +60,7 @@ std::string json_error(const DocumentHead& head, int exit_code, const std::strin
   error["message"] = message;
   error["problems"] = Json::array();
   for (const Diagnostic& entry : head.diagnostics.entries()) {
-    if (entry.severity == Severity::error) error["problems"].push_back(json_of(entry));
+    if (entry.severity == Severity::error) error["problems"].push_back(diagnostic_json(entry));
   }
   return dump(document);
 }

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "armcal/arm/parameter_table.h"
+#include "armcal/numerics/median.h"
 #include "armcal/symmetric_point/reading_model.h"
 
 namespace armcal {
@@ -65,12 +66,6 @@ bool reduce_all(const std::vector<SymmetricReading>& raw, SymmetricPointAnalysis
     if (!reading.reduced) analysis.reductions.push_back(reduced->reduction);
   }
   return good;
-}
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t half = values.size() / 2;
-  return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2.0;
 }
 
 // The same machine took them all: a reading that repeats so much worse than the others of its kind

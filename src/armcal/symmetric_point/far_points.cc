@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "armcal/geometry/circle.h"
+#include "armcal/numerics/median.h"
 
 namespace armcal {
 namespace {
@@ -20,13 +21,6 @@ constexpr double kSigmaOfMedianDeviation = 1.4826;
 constexpr double kLeastSpread_mm = 0.002;
 constexpr double kChance = 1e-4;
 constexpr std::size_t kLeastForArc = 7;
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  if (values.size() % 2 == 1) return *middle;
-  return (*middle + *std::max_element(values.begin(), middle)) / 2.0;
-}
 
 Eigen::Vector3d median_point(std::span<const Eigen::Vector3d> points) {
   Eigen::Vector3d middle;

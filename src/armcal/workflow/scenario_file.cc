@@ -9,7 +9,7 @@
 #include <set>
 #include <variant>
 
-#include "armcal/io/path_reference.h"
+#include "armcal/io/text_file.h"
 #include "armcal/io/toml_value.h"
 #include "armcal/workflow/scenario_errors.h"
 #include "armcal/workflow/scenario_keys.h"
@@ -108,10 +108,10 @@ std::optional<SimulationScenario> read_scenario_file(const TextFile& file,
   scenario.name = root.text("name").value_or("");
   static_cast<void>(root.text("note"));
   if (const auto arm = root.required_text("arm")) {
-    scenario.arm_file = resolved_path(file.path, *arm);
+    scenario.arm_file = path_beside(file.path, *arm);
   }
   if (const auto truth = root.text("truth")) {
-    scenario.truth_file = resolved_path(file.path, *truth);
+    scenario.truth_file = path_beside(file.path, *truth);
   }
   const int seed = root.integer("seed").value_or(1);
   if (seed < 0) diagnostics.error(root.where("seed"), "seed must not be negative");

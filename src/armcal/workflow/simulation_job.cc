@@ -8,8 +8,8 @@
 #include <stdexcept>
 
 #include "armcal/core/spelling.h"
-#include "armcal/io/path_reference.h"
 #include "armcal/io/symmetric_point_file.h"
+#include "armcal/io/text_file.h"
 #include "armcal/workflow/embedded_files.h"
 
 namespace armcal {
@@ -19,7 +19,7 @@ std::optional<SymmetricPointProcedure> plan_of(InputFiles& files, const Symmetri
                                                const std::string& scenario) {
   if (options.procedure.empty()) return wang2016_procedure();
   const auto text =
-      files.text(resolved_path(scenario, options.procedure), kLargestConfiguration_bytes);
+      files.text(path_beside(scenario, options.procedure), kLargestConfiguration_bytes);
   return text ? read_symmetric_point_file(*text, files.diagnostics()) : std::nullopt;
 }
 

@@ -4,12 +4,9 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Geometry>
-
 #include "armcal/geometry/line.h"
 #include "armcal/geometry/registration.h"
 #include "armcal/identification/residuals/surface_rows.h"
-#include "armcal/numerics/linear_algebra.h"
 
 namespace armcal {
 namespace {
@@ -28,8 +25,7 @@ std::optional<RigidTransform> onto_line(const std::vector<Eigen::Vector3d>& sour
   const Eigen::Vector3d direction =
       same_sense < 0.0 ? Eigen::Vector3d(-onto.direction) : onto.direction;
   RigidTransform result;
-  result.rotation =
-      Eigen::Quaterniond::FromTwoVectors(from.direction, direction).toRotationMatrix();
+  result.rotation = rotation_between(from.direction, direction);
   result.translation_mm = onto.point_mm - result.rotation * from.point_mm;
   return result;
 }
@@ -53,12 +49,6 @@ std::optional<std::string> start_frame(const Eigen::Matrix3Xd& source_mm,
   unknowns[id].pivot_mm = target_mm.rowwise().mean();
   unknowns[id].started = true;
   return std::nullopt;
-}
-
-Eigen::Matrix3d nearest_rotation(const Eigen::Matrix3d& matrix) {
-  const auto svd = singular_value_decomposition(matrix);
-  const double sign = (svd.u * svd.v.transpose()).determinant() < 0.0 ? -1.0 : 1.0;
-  return svd.u * Eigen::Vector3d(1.0, 1.0, sign).asDiagonal() * svd.v.transpose();
 }
 
 }  // namespace armcal

@@ -20,7 +20,4 @@ enum class LineIsEnough { no, yes };
                                                      Unknowns& unknowns, Eigen::VectorXd& x,
                                                      LineIsEnough line = LineIsEnough::no);
 
-/// The rotation that is nearest to a matrix (least squares of the entries).
-[[nodiscard]] Eigen::Matrix3d nearest_rotation(const Eigen::Matrix3d& matrix);
-
 }  // namespace armcal

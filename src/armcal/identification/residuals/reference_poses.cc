@@ -5,6 +5,7 @@
 #include <array>
 
 #include "armcal/arm/forward_kinematics.h"
+#include "armcal/geometry/registration.h"
 #include "armcal/identification/residuals/frame_start.h"
 #include "armcal/identification/residuals/measured_point.h"
 
