@@ -15,9 +15,9 @@
 #include <vector>
 
 #include "armcal/arm/forward_kinematics.h"
+#include "armcal/arm/inverse_kinematics.h"
 #include "armcal/identification/calibration.h"
 #include "armcal/numerics/distributions.h"
-#include "armcal/testing/posture_solver.h"
 #include "armcal/testing/random_arms.h"
 #include "armcal/testing/second_kinematics.h"
 #include "armcal/testing/wang2016_arm.h"
@@ -94,14 +94,14 @@ ObservationGroup fixed_point(const std::string& name, const Vector3d& seat_mm, i
                              const ArmModel& truth, RandomStream& random) {
   const ForwardKinematics arm(truth);
   const int n = truth.joint_count();
-  std::vector<int> joints;
-  for (int joint = 1; joint <= n; ++joint) joints.push_back(joint);
   MatrixXd postures(n, count);
   for (Index i = 0; i < count;) {
     const Vector3d tip = seat_mm + testing::random_normal_vector(random, kNoise_mm);
-    const auto found = testing::posture_at(arm, tip, testing::random_posture(n, random), joints);
-    postures.col(i) = Eigen::Map<const VectorXd>(found.data(), n);
-    if ((arm.tip_in_base(found) - tip).norm() < 1e-10) ++i;
+    const std::vector<double> start = testing::random_posture(n, random);
+    const PostureSearch search = find_posture(arm, tip, Eigen::Map<const VectorXd>(start.data(), n),
+                                              {.tolerance_mm = 1e-10});
+    postures.col(i) = search.encoder_rad;
+    if (search.found) ++i;
   }
   ObservationGroup group = group_of("seat " + name, ReferenceKind::fixed_point, postures);
   group.place.assign(static_cast<std::size_t>(count), name);

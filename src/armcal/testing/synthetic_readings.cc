@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "armcal/arm/forward_kinematics.h"
+#include "armcal/arm/inverse_kinematics.h"
 #include "armcal/arm/parameter_table.h"
-#include "armcal/testing/posture_solver.h"
 #include "armcal/testing/random_arms.h"
 #include "armcal/testing/random_geometry.h"
 
@@ -52,13 +52,11 @@ Eigen::Vector3d SyntheticReadings::reachable_point() {
 
 Eigen::VectorXd SyntheticReadings::posture_with_tip_at(const Eigen::Vector3d& point_mm) {
   const ForwardKinematics kinematics(truth_);
-  std::vector<int> joints;
-  for (int joint = 1; joint <= truth_.joint_count(); ++joint) joints.push_back(joint);
   const Eigen::Vector3d target = point_mm + noise();
   for (;;) {
-    const auto found =
-        posture_at(kinematics, target, random_posture(truth_.joint_count(), random_), joints);
-    if ((kinematics.tip_in_base(found) - target).norm() < 1e-9) return as_vector(found);
+    const PostureSearch search =
+        find_posture(kinematics, target, posture(), {.tolerance_mm = 1e-11});
+    if (search.miss_mm < 1e-9) return search.encoder_rad;
   }
 }
 

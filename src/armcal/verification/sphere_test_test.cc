@@ -8,7 +8,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "armcal/testing/posture_solver.h"
+#include "armcal/arm/inverse_kinematics.h"
 #include "armcal/testing/random_geometry.h"
 #include "armcal/testing/wang2016_arm.h"
 
@@ -16,6 +16,12 @@ namespace armcal {
 namespace {
 
 constexpr double kCertified = 15.8754;
+
+PostureSearch with_tip_at(const ForwardKinematics& kinematics, const Eigen::Vector3d& point_mm,
+                          const std::vector<double>& start, std::vector<int> joints) {
+  const Eigen::Map<const Eigen::VectorXd> start_rad(start.data(), 6);
+  return find_posture(kinematics, point_mm, start_rad, {.joints = std::move(joints)});
+}
 
 // Joint angles of an arm that touches points spread over the upper half of a sphere about `center`,
 // from each of the postures in turn: joints 1, 2 and the elbow, 4, bring the tip to the points
@@ -30,10 +36,10 @@ JointReadings touched(const ArmModel& arm, const Eigen::Vector3d& center, double
       Eigen::Vector3d direction = testing::random_direction(random);
       direction.z() = std::abs(direction.z());
       const Eigen::Vector3d target = center + distance_mm * direction;
-      const auto angles = testing::posture_at(kinematics, target, posture, {1, 2, 4});
-      EXPECT_LT((kinematics.tip_in_base(angles) - target).norm(), 1e-9);
+      const PostureSearch search = with_tip_at(kinematics, target, posture, {1, 2, 4});
+      EXPECT_TRUE(search.found);
       readings.encoder_rad.conservativeResize(6, readings.encoder_rad.cols() + 1);
-      readings.encoder_rad.rightCols(1) = Eigen::Map<const Eigen::VectorXd>(angles.data(), 6);
+      readings.encoder_rad.rightCols(1) = search.encoder_rad;
     }
   }
   return readings;
@@ -57,9 +63,10 @@ std::vector<std::vector<double>> five_articulations() {
   while (postures.size() < 5) {
     std::vector<double> start;
     for (int i = 0; i < 6; ++i) start.push_back(random.uniform(-2.5, 2.5));
-    const auto posture = testing::posture_at(kinematics, center_of_sphere(), start, {1, 2, 3, 4});
-    const bool reached = (kinematics.tip_in_base(posture) - center_of_sphere()).norm() < 1e-9;
-    if (reached && std::abs(posture[3]) > 0.5) postures.push_back(posture);
+    const PostureSearch search = with_tip_at(kinematics, center_of_sphere(), start, {1, 2, 3, 4});
+    if (search.found && std::abs(search.encoder_rad(3)) > 0.5) {
+      postures.emplace_back(search.encoder_rad.begin(), search.encoder_rad.end());
+    }
   }
   return postures;
 }

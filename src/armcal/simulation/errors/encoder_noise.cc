@@ -3,8 +3,15 @@
 #include "armcal/simulation/errors/encoder_noise.h"
 
 #include <cmath>
+#include <numbers>
+
+#include "armcal/core/units.h"
 
 namespace armcal {
+
+EncoderNoise EncoderNoise::typical() {
+  return {.u_rad = radians_from_arcseconds(1.5), .step_rad = 2.0 * std::numbers::pi / 8388608.0};
+}
 
 double shown_reading(double encoder_rad, const EncoderNoise& noise, RandomStream& random) {
   double shown = encoder_rad;

@@ -6,10 +6,16 @@
 
 namespace armcal {
 
-/// What an encoder adds to the angle at which it stands.
+/// What an encoder adds to the angle at which it stands: noise of each reading, then rounding to a
+/// whole number of steps. theory/virtual_arm.md eq. (2)
 struct EncoderNoise {
   double u_rad = 0.0;     ///< standard deviation of one reading
   double step_rad = 0.0;  ///< quantisation: readings are multiples of this; 0: none
+
+  [[nodiscard]] bool is_on() const { return u_rad > 0.0 || step_rad > 0.0; }
+  /// 1.5 arcsec and 2^23 steps per turn: the class of commercial arms, whose repeatability needs 1
+  /// to 2 arcsec.
+  [[nodiscard]] static EncoderNoise typical();
 };
 
 /// What the encoder shows.
