@@ -62,10 +62,16 @@ std::optional<std::string> held_by_convention(const ArmModel& arm, const Paramet
   if (parameter.kind == ParameterKind::d && parameter.joint == 2) {
     return "by convention: it only shifts the base frame";
   }
-  const bool stray_beta =
-      parameter.kind == ParameterKind::beta &&
-      !is_nearly_parallel(arm.links[static_cast<std::size_t>(parameter.joint - 2)]);
-  if (stray_beta) return "by convention: beta is for nearly parallel axes";
+  const auto link = [&]() -> const Link& {
+    return arm.links[static_cast<std::size_t>(parameter.joint - 2)];
+  };
+  // A link along x that turns between two parallel axes, the second turned back, moves by b alone.
+  if (parameter.kind == ParameterKind::b && parameter.joint == 2 && is_nearly_parallel(link()) &&
+      std::abs(link().a_mm) > std::abs(link().b_mm)) {
+    return "by convention: with zero2 it only turns the base frame";
+  }
+  if (parameter.kind == ParameterKind::beta && !is_nearly_parallel(link()))
+    return "by convention: beta is for nearly parallel axes";
   return std::nullopt;
 }
 

@@ -20,8 +20,8 @@ namespace armcal {
 [[nodiscard]] std::vector<int> wanted_order(const ArmModel& arm, const ParameterTable& table);
 
 /// Why a parameter is not asked for unless the user insists, whatever the readings: zero1 and d2
-/// only move the base frame, and beta is for axes within 10 deg of parallel. Nothing for all
-/// others.
+/// only move the base frame, as does b2 on a link of length a2 whose axes are within 10 deg of
+/// parallel, and beta is for such axes alone. Nothing for all others.
 [[nodiscard]] std::optional<std::string> held_by_convention(const ArmModel& arm,
                                                             const Parameter& parameter);
 

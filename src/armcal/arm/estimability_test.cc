@@ -47,6 +47,26 @@ TEST(WantedOrder, BetaReplacesBAndDOnParallelAxes) {
   EXPECT_LT(at("b4"), at("d4"));
 }
 
+TEST(HeldByConvention, IsWhatOnlyMovesTheBaseFrame) {
+  RandomStream random(3);
+  ArmModel arm = testing::random_arm(6, random, {.arbitrary_twists = false, .harmonics = 0});
+  const auto held = [&] {
+    const ParameterTable table(arm);
+    std::vector<std::string> names;
+    for (const Parameter& each : table.parameters()) {
+      if (held_by_convention(arm, each)) names.push_back(each.name);
+    }
+    return names;
+  };
+  EXPECT_THAT(held(),
+              ::testing::ElementsAre("zero1", "d2", "beta2", "beta3", "beta4", "beta5", "beta6"));
+  arm.links[0] = {.d_mm = 50.0, .b_mm = 1.0, .a_mm = 100.0, .alpha_rad = 0.01};
+  EXPECT_THAT(held(),
+              ::testing::ElementsAre("zero1", "d2", "b2", "beta3", "beta4", "beta5", "beta6"));
+  arm.links[0].a_mm = arm.links[0].b_mm = 0.0;  // a turntable under the first axis
+  EXPECT_THAT(held(), ::testing::ElementsAre("zero1", "d2", "beta3", "beta4", "beta5", "beta6"));
+}
+
 TEST(Describe, NamesThePartnersLargestFirst) {
   RankAnalysis analysis;
   analysis.basis = {0, 1, 2};
