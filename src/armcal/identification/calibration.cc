@@ -123,6 +123,7 @@ class Calibrator {
       }
     }
     if (!problems.empty()) return fail(CalibrationStatus::cannot_start, problems);
+    weigh_all(residuals_, unknowns_, x_);
     const auto before = residuals_of_observations(pointers_, unknowns_, x_);
     for (const ObservationGroup& group : groups_) {
       GroupResult each;
@@ -181,15 +182,18 @@ class Calibrator {
   }
 
   // What is determined is asked at the nominal arm and again at the adjusted one: symmetries of a
-  // nominal arm hide what the real one shows, and the other way round.
+  // nominal arm hide what the real one shows, and the other way round. Weights that depend on the
+  // arm are taken anew with it, so with them there is a second solution at least.
   bool refine(const Unknowns& all) {
     constexpr int kRounds = 4;
+    const int least_solutions = has_uncertain_encoders() ? 2 : 1;
     for (int round = 0; round < kRounds; ++round) {
+      weigh_all(residuals_, unknowns_, x_);
       const Eigen::VectorXd here = all.state_from(unknowns_, x_);
       const EstimationProblem everything(pointers_, all, priors(all));
       const ChoiceOfUnknowns next = choose_unknowns(
           triangular_factor(everything, here, options_.monitor), all, options_, scale_is_known_);
-      const bool settled = round > 0 && next.free == choice_.free &&
+      const bool settled = round >= least_solutions && next.free == choice_.free &&
                            next.held_steps.size() == choice_.held_steps.size();
       if (settled) return true;
       choice_ = next;
@@ -200,6 +204,11 @@ class Calibrator {
       if (!solve()) return false;
     }
     return true;
+  }
+
+  [[nodiscard]] bool has_uncertain_encoders() const {
+    return std::any_of(groups_.begin(), groups_.end(),
+                       [](const ObservationGroup& group) { return group.u_encoder_rad > 0.0; });
   }
 
   bool solve() {

@@ -182,6 +182,81 @@ TEST(Calibrations, StateUncertaintiesThatHoldTheTruth) {
   EXPECT_LT(inside, static_cast<int>(0.985 * count));
 }
 
+// Readings with encoders that scatter: coordinates of a reference machine, half turns, a ball.
+std::vector<ObservationGroup> by_noisy_encoders(const ArmModel& truth, std::uint64_t seed,
+                                                double u_encoder_rad) {
+  SyntheticReadings readings(truth, seed, kNoise_mm);
+  std::vector<ObservationGroup> groups = {readings.reference_points(40, "A"),
+                                          readings.reversals(40)};
+  for (ObservationGroup& group : groups) {
+    for (double& angle : group.encoder_rad.reshaped()) {
+      angle += u_encoder_rad * readings.random().normal();
+    }
+    for (double& angle : group.encoder_end_rad.reshaped()) {
+      angle += u_encoder_rad * readings.random().normal();
+    }
+  }
+  return groups;
+}
+
+struct NoisyRuns {
+  double mean_chi_squared_per_freedom = 0.0;
+  double share_inside = 0.0;  // of parameters, within 1.96 u as stated, that is before widening
+};
+
+NoisyRuns calibrate_with_noisy_encoders(bool told) {
+  constexpr double kEncoder_rad = 1e-4;  // 0.1 mm at a metre: ten times the noise of the reference
+  constexpr int kRuns = 40;
+  const ArmModel nominal = nominal_arm(6, 550);
+  const ArmModel truth = true_arm(nominal, 551);
+  NoisyRuns runs;
+  Eigen::VectorXd reference;
+  int count = 0;
+  for (int run = 0; run <= kRuns; ++run) {
+    const auto seed = static_cast<std::uint64_t>(5600 + run);
+    auto groups = by_noisy_encoders(truth, seed, run == 0 ? 0.0 : kEncoder_rad);
+    // The first is exact: the truth in the conventions of a result.
+    if (run == 0) {
+      SyntheticReadings exact(truth, seed, 1e-9);
+      groups = {exact.reference_points(60, "A")};
+    }
+    for (ObservationGroup& group : groups) {
+      if (told && run > 0) group.u_encoder_rad = kEncoder_rad;
+    }
+    const Calibration calibration = calibrate(nominal, groups, {});
+    EXPECT_TRUE(calibration.ok()) << to_string(calibration.termination);
+    const Eigen::VectorXd values = parameter_values(calibration.arm);
+    if (run == 0) {
+      reference = values;
+      continue;
+    }
+    runs.mean_chi_squared_per_freedom +=
+        calibration.chi_squared / calibration.degrees_of_freedom / kRuns;
+    for (const int index : calibration.free) {
+      const double u = calibration.parameters[static_cast<std::size_t>(index)].u /
+                       std::max(1.0, calibration.sigma0);
+      runs.share_inside += std::abs(values(index) - reference(index)) < 1.96 * u;
+      ++count;
+    }
+  }
+  runs.share_inside /= count;
+  return runs;
+}
+
+TEST(Calibrations, ThatKnowTheirEncodersScatterStateRightUncertainties) {
+  const NoisyRuns runs = calibrate_with_noisy_encoders(true);
+  // 133 degrees of freedom, 40 runs: standard error 0.02.
+  EXPECT_NEAR(runs.mean_chi_squared_per_freedom, 1.0, 0.06);
+  EXPECT_GT(runs.share_inside, 0.92);
+  EXPECT_LT(runs.share_inside, 0.985);
+}
+
+TEST(Calibrations, ThatTakeNoisyEncodersForExactStateWrongOnesAndAreFoundOut) {
+  const NoisyRuns runs = calibrate_with_noisy_encoders(false);
+  EXPECT_LT(runs.share_inside, 0.5);
+  EXPECT_GT(runs.mean_chi_squared_per_freedom, 10.0);
+}
+
 TEST(Calibrations, RefuseFixedPointsThatDoNotKnowAMillimetre) {
   const ArmModel nominal = nominal_arm(6, 700);
   SyntheticReadings readings(true_arm(nominal, 701), 702, kNoise_mm);

@@ -30,6 +30,7 @@ std::optional<Eigen::VectorXd> found_anew(const std::vector<std::unique_ptr<Resi
   }
   const EstimationProblem problem(placing, unknowns, {}, held);
   if (problem.unknown_count() == 0) return x;
+  weigh_all(all, unknowns, x);
   LeastSquaresOptions options;
   options.monitor = monitor;
   options.residual_resolution = problem.residual_resolution();
@@ -76,6 +77,7 @@ CheckRows check_rows_of(std::span<const ObservationGroup> groups, const Unknowns
   if (!as_fitted) check.residuals.clear();
   auto registered = found_anew(check.residuals, again, start, keep_targets, monitor);
   if (registered && as_fitted) check.registered = std::move(registered);
+  weigh_all(check.residuals, check.unknowns, check.x);
   return check;
 }
 

@@ -25,7 +25,7 @@ class EstimationProblem::At : public LeastSquaresProblem::Evaluation {
     } else {
       fill_and_pick(block, layout, rows);
     }
-    whiten(block, rows);
+    block.residual->whiten(block.first, block.count, rows);
   }
 
  private:
@@ -45,16 +45,6 @@ class EstimationProblem::At : public LeastSquaresProblem::Evaluation {
       for (std::size_t c = 0; c < layout.filled.size(); ++c)
         rows.row(r)[c] = all.row(r)[layout.filled[c]];
       rows.residual(r) = all.residual(r);
-    }
-  }
-
-  static void whiten(const Block& block, const BlockRows& rows) {
-    const Eigen::Index per_observation = block.residual->rows_per_observation();
-    for (Eigen::Index k = 0; k < block.count; ++k) {
-      const double weight = 1.0 / block.residual->u_mm(block.first + k);
-      double* const from = rows.row(per_observation * k);
-      double* const to = from + per_observation * rows.stride;
-      for (double* value = from; value < to; ++value) *value *= weight;
     }
   }
 
@@ -151,7 +141,8 @@ double EstimationProblem::residual_resolution() const {
     for (Eigen::Index i = block.first; i < block.first + block.count; ++i) {
       const double away =
           reference_mm.cols() > 0 ? reference_mm.col(block.residual->row(i)).norm() : 0.0;
-      resolution = std::max(resolution, kRounding * (reach + away) / block.residual->u_mm(i));
+      resolution =
+          std::max(resolution, kRounding * (reach + away) * block.residual->largest_weight(i));
     }
   }
   return resolution;

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "armcal/identification/estimation_problem.h"
 #include "armcal/numerics/distributions.h"
 #include "armcal/numerics/median.h"
 
@@ -15,11 +14,44 @@ namespace {
 // Coordinates that one observation compares.
 Eigen::Index dimension(const Residual& residual) { return residual.rows_per_observation(); }
 
-// Residual in units of its stated uncertainty, as a chi-squared of that many degrees of freedom.
-double normalised_square(const ObservationResidual& each) {
-  const double points = std::max<double>(1.0, static_cast<double>(dimension(*each.residual)) / 3.0);
-  const double whitened = each.length_mm / each.residual->u_mm(each.observation);
-  return whitened * whitened * points;
+// Derivatives that a row of it has.
+Eigen::Index column_count(const Residual& residual, const Unknowns& unknowns) {
+  Eigen::Index count = residual.depends_on_arm() ? unknowns.arm_size() : 0;
+  for (const int id : residual.nuisances()) {
+    count += static_cast<Eigen::Index>(step_names(unknowns[id]).size());
+  }
+  return count;
+}
+
+// Root of the sum of squares of rows first .. first + size - 1.
+double length_of(const BlockRows& rows, Eigen::Index first, Eigen::Index size) {
+  double squares = 0.0;
+  for (Eigen::Index r = first; r < first + size; ++r)
+    squares += rows.residual(r) * rows.residual(r);
+  return std::sqrt(squares);
+}
+
+void append_residuals(const Residual& residual, const ArmAt& at, const Unknowns& unknowns,
+                      const Eigen::VectorXd& x, std::vector<ObservationResidual>& result) {
+  const Eigen::Index size = dimension(residual);
+  const double points = std::max<double>(1.0, static_cast<double>(size) / 3.0);
+  const Eigen::Index columns = column_count(residual, unknowns);
+  for (Eigen::Index first = 0; first < residual.count(); first += kObservationsPerBlock) {
+    const Eigen::Index count = std::min(kObservationsPerBlock, residual.count() - first);
+    std::vector<double> data(static_cast<std::size_t>(size * count * (columns + 1)), 0.0);
+    const BlockRows rows{size * count, columns, columns + 1, data.data()};
+    residual.fill(at, unknowns, x, first, count, rows);
+    const std::size_t begin = result.size();
+    for (Eigen::Index k = 0; k < count; ++k) {
+      result.push_back(
+          {&residual, first + k, length_of(rows, size * k, size) / std::sqrt(points), 0.0});
+    }
+    residual.whiten(first, count, rows);
+    for (Eigen::Index k = 0; k < count; ++k) {
+      const double length = length_of(rows, size * k, size);
+      result[begin + static_cast<std::size_t>(k)].normalised_square = length * length;
+    }
+  }
 }
 
 }  // namespace
@@ -27,19 +59,10 @@ double normalised_square(const ObservationResidual& each) {
 std::vector<ObservationResidual> residuals_of_observations(
     const std::vector<const Residual*>& residuals, const Unknowns& unknowns,
     const Eigen::VectorXd& x) {
-  const EstimationProblem problem(residuals, unknowns, {});
-  const Eigen::VectorXd whitened = residuals_at(problem, x);
+  const ArmModel arm = unknowns.arm_at(x);
+  const ArmAt at{arm, TipRows(arm, unknowns.columns())};
   std::vector<ObservationResidual> result;
-  Eigen::Index row = 0;
-  for (const EstimationProblem::Block& block : problem.blocks()) {
-    const Eigen::Index rows = dimension(*block.residual);
-    for (Eigen::Index k = block.first; k < block.first + block.count; ++k, row += rows) {
-      const double points = std::max<double>(1.0, static_cast<double>(rows) / 3.0);
-      result.push_back(
-          {block.residual, k,
-           whitened.segment(row, rows).norm() / std::sqrt(points) * block.residual->u_mm(k)});
-    }
-  }
+  for (const Residual* residual : residuals) append_residuals(*residual, at, unknowns, x, result);
   return result;
 }
 
@@ -70,14 +93,14 @@ std::vector<FlaggedRow> flagged_rows(const std::vector<ObservationResidual>& res
   std::vector<double> ratios;
   for (const ObservationResidual& each : residuals) {
     const auto freedom = static_cast<double>(dimension(*each.residual));
-    ratios.push_back(normalised_square(each) / chi_squared_quantile(0.5, freedom));
+    ratios.push_back(each.normalised_square / chi_squared_quantile(0.5, freedom));
   }
   const double scale = median(ratios);
   if (!(scale > 0.0)) return flagged;
   const double level = 1.0 - 0.01 / static_cast<double>(residuals.size());
   for (const ObservationResidual& each : residuals) {
     const auto freedom = static_cast<double>(dimension(*each.residual));
-    const double square = normalised_square(each) / scale;
+    const double square = each.normalised_square / scale;
     if (square <= chi_squared_quantile(level, freedom)) continue;
     const ObservationGroup& group = each.residual->group();
     const int row = each.residual->row(each.observation);

@@ -15,6 +15,8 @@ struct ObservationResidual {
   Eigen::Index observation = 0;
   double length_mm =
       0.0;  ///< root of the sum of squares of its rows; poses: of the mean over their three points
+  double normalised_square =
+      0.0;  ///< whitened: a chi-squared of as many degrees of freedom as rows
 };
 
 [[nodiscard]] std::vector<ObservationResidual> residuals_of_observations(

@@ -34,6 +34,7 @@ class GroupReader {
     group_.radius_mm = session_.radius_mm;
     group_.tip_radius_mm = session_.tip_radius_mm;
     group_.lever_mm = session_.lever_mm;
+    group_.u_encoder_rad = session_.u_encoder_rad;
     group_.offset_mm = session_.offset_mm;
     group_.target = session_.target;
     for (std::size_t row = 0; row < table_.row_count(); ++row)

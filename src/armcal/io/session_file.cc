@@ -33,6 +33,17 @@ void check_positive(TomlSection& section, const char* key, const std::optional<d
   }
 }
 
+// Standard uncertainty of an encoder reading; 0 says that encoders are exact.
+std::optional<double> u_encoder_of(TomlSection& section, Diagnostics& diagnostics) {
+  const auto arcsec = section.number("u_encoder_arcsec");
+  if (!arcsec) return std::nullopt;
+  if (!(*arcsec >= 0.0)) {
+    diagnostics.error(section.where("u_encoder_arcsec"),
+                      fmt::format("u_encoder_arcsec is {}: must not be negative", *arcsec));
+  }
+  return radians_from_arcseconds(*arcsec);
+}
+
 void read_kind_keys(TomlSection& section, SessionGroup& group, Diagnostics& diagnostics) {
   switch (group.kind) {
     case ReferenceKind::artefact:
@@ -74,8 +85,14 @@ void read_kind_keys(TomlSection& section, SessionGroup& group, Diagnostics& diag
   }
 }
 
+// What the top of a session says for all of its groups.
+struct SessionDefaults {
+  std::optional<AngleUnit> angles;
+  double u_encoder_rad = 0.0;
+};
+
 SessionGroup read_group(TomlSection section, const std::string& path,
-                        std::optional<AngleUnit> angles, Diagnostics& diagnostics) {
+                        const SessionDefaults& defaults, Diagnostics& diagnostics) {
   SessionGroup group;
   group.where = section.where();
   const auto kind = section.required_text("kind");
@@ -96,6 +113,7 @@ SessionGroup read_group(TomlSection section, const std::string& path,
   group.name = section.text("name").value_or("");
   group.u_mm = section.number("u_mm");
   check_positive(section, "u_mm", group.u_mm, diagnostics);
+  group.u_encoder_rad = u_encoder_of(section, diagnostics).value_or(defaults.u_encoder_rad);
   group.set = section.text("set").value_or("");
   if (!group.set.empty() && group.set != "fit" && group.set != "check") {
     diagnostics.error(section.where("set"),
@@ -111,7 +129,7 @@ SessionGroup read_group(TomlSection section, const std::string& path,
   }
   group.target = section.text("target").value_or("");
   group.table.angles = angle_unit_of(section, diagnostics);
-  if (!group.table.angles) group.table.angles = angles;
+  if (!group.table.angles) group.table.angles = defaults.angles;
   group.table.keep_duplicates = section.boolean("keep_duplicates").value_or(false);
   group.table.keep_zero_points = section.boolean("keep_zero_points").value_or(false);
   if (auto map = section.section("map")) {
@@ -229,9 +247,10 @@ std::optional<Session> read_session_file(const TextFile& file, Diagnostics& diag
   session.name = root.text("name").value_or("");
   static_cast<void>(root.text("note"));
   if (const auto arm = root.required_text("arm")) session.arm_file = path_beside(file.path, *arm);
-  const auto angles = angle_unit_of(root, diagnostics);
+  const SessionDefaults defaults{angle_unit_of(root, diagnostics),
+                                 u_encoder_of(root, diagnostics).value_or(0.0)};
   for (TomlSection& section : root.sections("observations")) {
-    session.groups.push_back(read_group(section, file.path, angles, diagnostics));
+    session.groups.push_back(read_group(section, file.path, defaults, diagnostics));
   }
   if (session.groups.empty()) {
     diagnostics.error({file.path, 0, 0}, "has no observations",

@@ -26,6 +26,7 @@ struct SessionGroup {
   std::string artefact_file;  ///< artefact: calibrated coordinates of its features
   TableOptions table;
   std::optional<double> u_mm;
+  double u_encoder_rad = 0.0;
   std::string set;       ///< "fit", "check" or empty: not said
   std::string place;     ///< set-up, placement, point, sphere or plane where no column names it
   std::string place_to;  ///< length: the second point

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <vector>
@@ -50,7 +51,17 @@ std::string kind_text(const SessionGroup& group) {
   }
 }
 
-std::string group_text(const SessionGroup& group, const std::string& session_file) {
+std::string u_encoder_text(double u_rad) {
+  return u_rad > 0.0 ? fmt::format("u_encoder_arcsec = {}\n", arcseconds_text(u_rad)) : "";
+}
+
+bool all_encoders_alike(const std::vector<SessionGroup>& groups) {
+  return std::all_of(groups.begin(), groups.end(), [&](const SessionGroup& group) {
+    return group.u_encoder_rad == groups.front().u_encoder_rad;
+  });
+}
+
+std::string group_text(const SessionGroup& group, const std::string& session_file, bool with_encoders) {
   const bool is_called_like_its_file =
       !group.file.empty() && std::filesystem::path(group.file).stem() == group.name;
   std::string text = fmt::format("\n[[observations]]\nkind = \"{}\"\n", to_string(group.kind));
@@ -61,6 +72,7 @@ std::string group_text(const SessionGroup& group, const std::string& session_fil
   }
   if (const char* key = place_key(group.kind)) text += entry(key, group.place);
   text += kind_text(group) + entry("u_mm", group.u_mm) + entry("set", group.set);
+  if (with_encoders) text += u_encoder_text(group.u_encoder_rad);
   if (!group.offset_mm.isZero(0.0)) {
     text += fmt::format("offset_mm = [{}, {}, {}]\n", shortest_text(group.offset_mm.x()),
                         shortest_text(group.offset_mm.y()), shortest_text(group.offset_mm.z()));
@@ -114,7 +126,13 @@ std::string session_text(const Session& session, const std::string& note) {
   std::string text = "schema = \"armcal.session/1\"\n";
   text += entry("name", session.name) + entry("note", note) +
           entry("arm", path_to_write(session.file, session.arm_file));
-  for (const SessionGroup& group : session.groups) text += group_text(group, session.file);
+  const bool alike = all_encoders_alike(session.groups);
+  if (alike && !session.groups.empty()) {
+    text += u_encoder_text(session.groups.front().u_encoder_rad);
+  }
+  for (const SessionGroup& group : session.groups) {
+    text += group_text(group, session.file, !alike);
+  }
   return text + estimate_text(session.estimate);
 }
 

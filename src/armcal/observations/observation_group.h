@@ -40,6 +40,7 @@ struct ObservationGroup {
   std::vector<int> lines;
   std::vector<bool> is_check;       ///< rows that are held out of the fit
   Eigen::VectorXd u_mm;             ///< standard uncertainty of a coordinate, distance or radius
+  double u_encoder_rad = 0.0;       ///< standard uncertainty of each encoder reading
   Eigen::MatrixXd encoder_rad;      ///< joints x rows; empty for lengths
   Eigen::MatrixXd encoder_end_rad;  ///< reversal: after the turn
   Eigen::Matrix3Xd

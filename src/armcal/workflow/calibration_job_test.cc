@@ -7,6 +7,7 @@
 
 #include <cmath>
 
+#include "armcal/core/units.h"
 #include "armcal/testing/reference_data.h"
 #include "armcal/testing/temporary_folder.h"
 
@@ -151,6 +152,24 @@ TEST_F(Sessions, WithUncertaintiesThatAreNoneComplain) {
   std::string session = points(kRows);
   session.erase(session.find("u_mm"));
   EXPECT_THAT(complaint(session), HasSubstr("have no uncertainty"));
+}
+
+// Weights from the session: of encoders for all, and for one table that says otherwise.
+TEST_F(Sessions, TellHowUncertainTheEncodersAre) {
+  const std::string head = "schema = 'armcal.session/1'\narm = 'arm.arm.toml'\nangles = 'deg'\n";
+  const auto u_encoders = [&](const std::string& top, const std::string& of_group) {
+    std::string session = points(kRows) + of_group;
+    session += "[[observations]]\nkind = 'length'\nfrom = 'A'\nto = 'B'\nlength_mm = 9\nu_mm = 1\n";
+    InputFiles files;
+    const auto loaded = load_session(files, folder_.write("s.session.toml", head + top + session));
+    return loaded.groups[0].u_encoder_rad / radians_from_arcseconds(1.0);
+  };
+  EXPECT_EQ(u_encoders("", ""), 0.0);
+  EXPECT_NEAR(u_encoders("u_encoder_arcsec = 2\n", ""), 2.0, 1e-12);
+  EXPECT_NEAR(u_encoders("u_encoder_arcsec = 2\n", "u_encoder_arcsec = 5\n"), 5.0, 1e-12);
+  EXPECT_EQ(u_encoders("u_encoder_arcsec = 2\n", "u_encoder_arcsec = 0\n"), 0.0);
+  EXPECT_THAT(complaint(points(kRows) + "u_encoder_arcsec = -1\n"),
+              HasSubstr("u_encoder_arcsec is -1: must not be negative"));
 }
 
 TEST_F(Sessions, WithJointsThatStandStillComplain) {

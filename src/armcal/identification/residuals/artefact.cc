@@ -45,4 +45,9 @@ void ArtefactResidual::fill(const ArmAt& at, const Unknowns& unknowns, const Eig
   }
 }
 
+Eigen::MatrixXd ArtefactResidual::J_residual_encoders(const ArmModel& arm, const Unknowns& unknowns,
+                                                      const Eigen::VectorXd& x) const {
+  return point_.moving(arm, unknowns, x, encoders(group().encoder_rad)).J_encoders;
+}
+
 }  // namespace armcal

@@ -5,6 +5,16 @@
 #include "armcal/arm/forward_kinematics.h"
 
 namespace armcal {
+namespace {
+
+// From the axis of a joint to the tip, square to the axis.
+Eigen::Vector3d radial_of(const TipLinearisation& here, Eigen::Index joint) {
+  const Eigen::Vector3d axis = here.joint_axes.col(joint);
+  const Eigen::Vector3d lever = here.tip_mm - here.joint_origins_mm.col(joint);
+  return lever - axis * axis.dot(lever);
+}
+
+}  // namespace
 
 CircleRadiusResidual::CircleRadiusResidual(const ObservationGroup& group, std::vector<int> rows,
                                            Unknowns&)
@@ -24,9 +34,7 @@ void CircleRadiusResidual::fill(const ArmAt& at, const Unknowns& unknowns, const
     const Eigen::Index joint = group().joint[static_cast<std::size_t>(this->row(first + k))] - 1;
     const auto posture = encoder_rad_.col(first + k);
     kinematics.linearise({posture.data(), static_cast<std::size_t>(posture.size())}, here);
-    const Eigen::Vector3d axis = here.joint_axes.col(joint);
-    const Eigen::Vector3d lever = here.tip_mm - here.joint_origins_mm.col(joint);
-    const Eigen::Vector3d radial = lever - axis * axis.dot(lever);
+    const Eigen::Vector3d radial = radial_of(here, joint);
     const double radius = radial.norm();
     double* row = rows.row(k);
     for (std::size_t i = 0; i < unknowns.free().size(); ++i) {
@@ -37,6 +45,23 @@ void CircleRadiusResidual::fill(const ArmAt& at, const Unknowns& unknowns, const
     }
     row[rows.columns] = radius - group().value_mm(this->row(first + k));
   }
+}
+
+Eigen::MatrixXd CircleRadiusResidual::J_residual_encoders(const ArmModel& arm, const Unknowns&,
+                                                          const Eigen::VectorXd&) const {
+  const ForwardKinematics kinematics(arm);
+  TipLinearisation here;
+  Eigen::MatrixXd J = Eigen::MatrixXd::Zero(count(), encoder_rad_.rows());
+  for (Eigen::Index i = 0; i < count(); ++i) {
+    const Eigen::Index joint = group().joint[static_cast<std::size_t>(row(i))] - 1;
+    const auto posture = encoder_rad_.col(i);
+    kinematics.linearise({posture.data(), static_cast<std::size_t>(posture.size())}, here);
+    const Eigen::Vector3d outward = radial_of(here, joint).normalized();
+    // Joints up to the axis carry it along.
+    const Eigen::Index beyond = encoder_rad_.rows() - joint - 1;
+    J.row(i).tail(beyond) = outward.transpose() * here.J_tip_encoder.rightCols(beyond);
+  }
+  return J;
 }
 
 }  // namespace armcal

@@ -39,4 +39,10 @@ void FixedPointResidual::fill(const ArmAt& at, const Unknowns& unknowns, const E
   }
 }
 
+Eigen::MatrixXd FixedPointResidual::J_residual_encoders(const ArmModel& arm,
+                                                        const Unknowns& unknowns,
+                                                        const Eigen::VectorXd& x) const {
+  return point_.moving(arm, unknowns, x, encoders(group().encoder_rad)).J_encoders;
+}
+
 }  // namespace armcal

@@ -45,4 +45,9 @@ void LengthResidual::fill(const ArmAt&, const Unknowns& unknowns, const Eigen::V
   }
 }
 
+Eigen::MatrixXd LengthResidual::J_residual_encoders(const ArmModel&, const Unknowns&,
+                                                    const Eigen::VectorXd&) const {
+  return Eigen::MatrixXd(count(), 0);
+}
+
 }  // namespace armcal

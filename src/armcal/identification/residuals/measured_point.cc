@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "armcal/identification/residuals/measured_point.h"
 
+#include "armcal/arm/forward_kinematics.h"
+
 namespace armcal {
 namespace {
 
@@ -32,12 +34,39 @@ std::vector<TipColumn> columns_with_point(const Unknowns& unknowns) {
   return columns;
 }
 
+MovingPoints moving_tips(const ArmModel& arm, const Eigen::MatrixXd& encoder_rad) {
+  const ForwardKinematics kinematics(arm);
+  TipLinearisation here;
+  const Eigen::Index count = encoder_rad.cols();
+  MovingPoints points{Eigen::Matrix3Xd(3, count), Eigen::MatrixXd(3 * count, encoder_rad.rows())};
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const auto posture = encoder_rad.col(i);
+    kinematics.linearise({posture.data(), static_cast<std::size_t>(posture.size())}, here);
+    points.at_mm.col(i) = here.tip_mm;
+    points.J_encoders.middleRows<3>(3 * i) = here.J_tip_encoder;
+  }
+  return points;
+}
+
 MeasuredPoint::MeasuredPoint(const ObservationGroup& group, const Eigen::MatrixXd& encoder_rad,
                              Unknowns& unknowns, std::vector<int>& nuisances)
     : postures_(encoder_rad), offset_mm_(group.offset_mm) {
   if (group.target.empty()) return;
   target_ = unknowns.add("target." + group.target, NuisanceKind::point);
   nuisances.push_back(*target_);
+}
+
+ArmModel MeasuredPoint::with_measured_tip(const ArmModel& arm, const Unknowns& unknowns,
+                                          const Eigen::VectorXd& x) const {
+  if (target_) return with_tip_at(arm, unknowns.point(x, *target_));
+  const Eigen::Matrix3d turn = rotation_from_roll_pitch_yaw(arm.tip.roll_pitch_yaw_rad);
+  return with_tip_at(arm, tip_of(arm) + turn * offset_mm_);
+}
+
+MovingPoints MeasuredPoint::moving(const ArmModel& arm, const Unknowns& unknowns,
+                                   const Eigen::VectorXd& x,
+                                   const Eigen::MatrixXd& encoder_rad) const {
+  return moving_tips(with_measured_tip(arm, unknowns, x), encoder_rad);
 }
 
 void MeasuredPoint::fill(const ArmAt& at, const Unknowns& unknowns, const Eigen::VectorXd& x,
@@ -48,15 +77,13 @@ void MeasuredPoint::fill(const ArmAt& at, const Unknowns& unknowns, const Eigen:
       at.tips.fill(postures_, first, count, target);
       return;
     }
-    const Eigen::Vector3d shift =
-        rotation_from_roll_pitch_yaw(at.arm.tip.roll_pitch_yaw_rad) * offset_mm_;
-    const TipRows shifted(with_tip_at(at.arm, tip_of(at.arm) + shift), unknowns.columns());
+    const TipRows shifted(with_measured_tip(at.arm, unknowns, x), unknowns.columns());
     shifted.fill(postures_, first, count, target);
     return;
   }
   // The target moves as the tip would; the arm's own tip does not count.
   const std::vector<TipColumn> columns = columns_with_point(unknowns);
-  const TipRows tips(with_tip_at(at.arm, unknowns.point(x, *target_)), columns);
+  const TipRows tips(with_measured_tip(at.arm, unknowns, x), columns);
   tips.fill(postures_, first, count, target);
   if (target.rows == nullptr) return;
   for (std::size_t c = 0; c < unknowns.columns().size(); ++c) {

@@ -15,6 +15,13 @@ namespace armcal {
 /// joint.
 [[nodiscard]] std::vector<TipColumn> columns_with_point(const Unknowns& unknowns);
 
+/// Points of the arm at given postures and how they move with its encoders.
+struct MovingPoints {
+  Eigen::Matrix3Xd at_mm;      ///< base frame
+  Eigen::MatrixXd J_encoders;  ///< rows: x y z of every point (per rad); columns: joints
+};
+[[nodiscard]] MovingPoints moving_tips(const ArmModel& arm, const Eigen::MatrixXd& encoder_rad);
+
 /// The point of the arm that a group's readings are of: the tip, a point at a known offset from it,
 /// or an unknown point of the last joint (a target), whose place is then the first nuisance of the
 /// residual.
@@ -30,6 +37,10 @@ class MeasuredPoint {
   void fill(const ArmAt& at, const Unknowns& unknowns, const Eigen::VectorXd& x, Eigen::Index first,
             Eigen::Index count, const TipRows::Target& target) const;
 
+  [[nodiscard]] MovingPoints moving(const ArmModel& arm, const Unknowns& unknowns,
+                                    const Eigen::VectorXd& x,
+                                    const Eigen::MatrixXd& encoder_rad) const;
+
   /// All points at the start; a target without a value starts at the nominal tip.
   [[nodiscard]] Eigen::Matrix3Xd start(const ArmAt& nominal, Unknowns& unknowns,
                                        Eigen::VectorXd& x) const;
@@ -40,6 +51,10 @@ class MeasuredPoint {
   }
 
  private:
+  // The arm with the measured point for its tip.
+  [[nodiscard]] ArmModel with_measured_tip(const ArmModel& arm, const Unknowns& unknowns,
+                                           const Eigen::VectorXd& x) const;
+
   PosturePacks postures_;
   Eigen::Vector3d offset_mm_;
   std::optional<int> target_;

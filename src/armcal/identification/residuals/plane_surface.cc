@@ -53,4 +53,15 @@ void PlaneResidual::fill(const ArmAt& at, const Unknowns& unknowns, const Eigen:
   }
 }
 
+Eigen::MatrixXd PlaneResidual::J_residual_encoders(const ArmModel& arm, const Unknowns& unknowns,
+                                                   const Eigen::VectorXd& x) const {
+  const MovingPoints points = point_.moving(arm, unknowns, x, encoders(group().encoder_rad));
+  const Eigen::Vector3d normal = unknowns.plane(x, plane_).head<3>();
+  Eigen::MatrixXd J(count(), points.J_encoders.cols());
+  for (Eigen::Index i = 0; i < count(); ++i) {
+    J.row(i) = normal.transpose() * points.J_encoders.middleRows<3>(3 * i);
+  }
+  return J;
+}
+
 }  // namespace armcal

@@ -50,4 +50,10 @@ void ReferencePointsResidual::fill(const ArmAt& at, const Unknowns& unknowns,
   }
 }
 
+Eigen::MatrixXd ReferencePointsResidual::J_residual_encoders(const ArmModel& arm,
+                                                             const Unknowns& unknowns,
+                                                             const Eigen::VectorXd& x) const {
+  return point_.moving(arm, unknowns, x, encoders(group().encoder_rad)).J_encoders;
+}
+
 }  // namespace armcal

@@ -35,9 +35,9 @@ ReferencePosesResidual::ReferencePosesResidual(const ObservationGroup& group, st
   nuisances_.push_back(setup_);
 }
 
-Eigen::Vector3d ReferencePosesResidual::origin(const ArmAt& at, const Unknowns& unknowns,
+Eigen::Vector3d ReferencePosesResidual::origin(const ArmModel& arm, const Unknowns& unknowns,
                                                const Eigen::VectorXd& x) const {
-  return target_ ? unknowns.point(x, *target_) : tip_of(at.arm);
+  return target_ ? unknowns.point(x, *target_) : tip_of(arm);
 }
 
 std::optional<std::string> ReferencePosesResidual::start(const ArmAt& nominal, Unknowns& unknowns,
@@ -49,7 +49,7 @@ std::optional<std::string> ReferencePosesResidual::start(const ArmAt& nominal, U
   // The set-up from the origins alone; then the turn of the target on the last joint, from the mean
   // over all poses.
   ArmModel arm = nominal.arm;
-  const Eigen::Vector3d at = origin(nominal, unknowns, x);
+  const Eigen::Vector3d at = origin(nominal.arm, unknowns, x);
   arm.tip = {at.x(), at.y(), at.z(), Eigen::Vector3d::Zero()};
   const ForwardKinematics kinematics(arm);
   Eigen::Matrix3Xd tips(3, count());
@@ -92,7 +92,7 @@ void ReferencePosesResidual::fill(const ArmAt& at, const Unknowns& unknowns,
   std::array<double, 3 * kObservationsPerBlock> tips;
   for (int k = 0; k < 3; ++k) {
     const Eigen::Vector3d lever = turn * point_in_target(k, group().lever_mm);
-    const Eigen::Vector3d on_joint = origin(at, unknowns, x) + lever;
+    const Eigen::Vector3d on_joint = origin(at.arm, unknowns, x) + lever;
     ArmModel arm = at.arm;
     arm.tip = {on_joint.x(), on_joint.y(), on_joint.z(), Eigen::Vector3d::Zero()};
     double* const data = rows.row(3 * k);
@@ -124,6 +124,25 @@ void ReferencePosesResidual::fill(const ArmAt& at, const Unknowns& unknowns,
       }
     }
   }
+}
+
+Eigen::MatrixXd ReferencePosesResidual::J_residual_encoders(const ArmModel& arm,
+                                                            const Unknowns& unknowns,
+                                                            const Eigen::VectorXd& x) const {
+  const Eigen::MatrixXd encoder_rad = encoders(group().encoder_rad);
+  const Eigen::Matrix3d turn = unknowns.rotation(x, rotation_);
+  Eigen::MatrixXd J(9 * count(), encoder_rad.rows());
+  for (int k = 0; k < 3; ++k) {
+    ArmModel at_point = arm;
+    const Eigen::Vector3d on_joint =
+        origin(arm, unknowns, x) + turn * point_in_target(k, group().lever_mm);
+    at_point.tip = {on_joint.x(), on_joint.y(), on_joint.z(), Eigen::Vector3d::Zero()};
+    const MovingPoints points = moving_tips(at_point, encoder_rad);
+    for (Eigen::Index i = 0; i < count(); ++i) {
+      J.middleRows<3>(9 * i + 3 * k) = points.J_encoders.middleRows<3>(3 * i);
+    }
+  }
+  return J;
 }
 
 }  // namespace armcal

@@ -18,9 +18,11 @@ class ReferencePosesResidual : public Residual {
                                    Eigen::VectorXd& x) const override;
   void fill(const ArmAt& at, const Unknowns& unknowns, const Eigen::VectorXd& x, Eigen::Index first,
             Eigen::Index count, const BlockRows& rows) const override;
+  [[nodiscard]] Eigen::MatrixXd J_residual_encoders(const ArmModel& arm, const Unknowns& unknowns,
+                                                    const Eigen::VectorXd& x) const override;
 
  private:
-  [[nodiscard]] Eigen::Vector3d origin(const ArmAt& at, const Unknowns& unknowns,
+  [[nodiscard]] Eigen::Vector3d origin(const ArmModel& arm, const Unknowns& unknowns,
                                        const Eigen::VectorXd& x) const;
 
   PosturePacks postures_;

@@ -2,7 +2,40 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "armcal/identification/residuals/residual.h"
 
+#include "armcal/core/invariant.h"
+
 namespace armcal {
+
+void Residual::weigh(const ArmModel& arm, const Unknowns& unknowns, const Eigen::VectorXd& x) {
+  if (!(group_->u_encoder_rad > 0.0)) return;
+  Eigen::VectorXd u_mm(count());
+  for (Eigen::Index i = 0; i < count(); ++i) u_mm(i) = group_->u_mm(row(i));
+  whitening_.emplace(u_mm, group_->u_encoder_rad, J_residual_encoders(arm, unknowns, x));
+}
+
+void Residual::whiten(Eigen::Index first, Eigen::Index count, const BlockRows& rows) const {
+  if (whitening_) {
+    whitening_->apply(first, count, rows);
+    return;
+  }
+  ARMCAL_INVARIANT(!(group_->u_encoder_rad > 0.0));  // weigh() has been forgotten
+  const Eigen::Index values = rows_per_observation() * rows.stride;
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const double weight = 1.0 / group_->u_mm(row(first + k));
+    double* const from = rows.data + values * k;
+    for (double* value = from; value < from + values; ++value) *value *= weight;
+  }
+}
+
+double Residual::largest_weight(Eigen::Index i) const {
+  return whitening_ ? whitening_->largest_weight(i) : 1.0 / group_->u_mm(row(i));
+}
+
+void weigh_all(const std::vector<std::unique_ptr<Residual>>& residuals, const Unknowns& unknowns,
+               const Eigen::VectorXd& x) {
+  const ArmModel arm = unknowns.arm_at(x);
+  for (const auto& residual : residuals) residual->weigh(arm, unknowns, x);
+}
 
 Eigen::MatrixXd Residual::encoders(const Eigen::MatrixXd& of_group) const {
   Eigen::MatrixXd own(of_group.rows(), count());

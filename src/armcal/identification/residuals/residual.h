@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "armcal/identification/residuals/whitening.h"
 #include "armcal/identification/unknowns.h"
 #include "armcal/numerics/least_squares.h"
 #include "armcal/observations/observation_group.h"
@@ -24,7 +25,7 @@ struct ArmAt {
 /// in registry.cc.
 ///
 /// Columns of its rows: the arm's free parameters (where it depends on the arm), then its nuisances
-/// in their order. Rows are in mm, not yet divided by their uncertainty.
+/// in their order. Rows are in mm until they are whitened.
 class Residual {
  public:
   /// @param rows  of the group, in file order
@@ -38,7 +39,6 @@ class Residual {
   /// Row of the group that observation `i` came from.
   [[nodiscard]] int row(Eigen::Index i) const { return rows_[static_cast<std::size_t>(i)]; }
   [[nodiscard]] Eigen::Index count() const { return static_cast<Eigen::Index>(rows_.size()); }
-  [[nodiscard]] double u_mm(Eigen::Index i) const { return group_->u_mm(row(i)); }
   [[nodiscard]] const std::vector<int>& nuisances() const { return nuisances_; }
 
   [[nodiscard]] virtual Eigen::Index rows_per_observation() const { return 3; }
@@ -56,6 +56,21 @@ class Residual {
   virtual void fill(const ArmAt& at, const Unknowns& unknowns, const Eigen::VectorXd& x,
                     Eigen::Index first, Eigen::Index count, const BlockRows& rows) const = 0;
 
+  /// How the rows, all observations one below the other, move with the encoder readings (mm/rad).
+  /// Columns: the readings of one observation, those after a turn behind those before it; none
+  /// where the kind has no encoders.
+  [[nodiscard]] virtual Eigen::MatrixXd J_residual_encoders(const ArmModel& arm,
+                                                            const Unknowns& unknowns,
+                                                            const Eigen::VectorXd& x) const = 0;
+
+  /// Takes the weights of its observations where they move with the encoders: constants of every
+  /// solve that follows. Needed before whiten() where encoders are uncertain.
+  void weigh(const ArmModel& arm, const Unknowns& unknowns, const Eigen::VectorXd& x);
+  /// Divides filled rows of observations first .. by their uncertainty.
+  void whiten(Eigen::Index first, Eigen::Index count, const BlockRows& rows) const;
+  /// By how much whitening enlarges an error of a row at most, 1/mm.
+  [[nodiscard]] double largest_weight(Eigen::Index i) const;
+
  protected:
   /// Encoder readings of its rows.
   [[nodiscard]] Eigen::MatrixXd encoders(const Eigen::MatrixXd& of_group) const;
@@ -67,10 +82,15 @@ class Residual {
  private:
   const ObservationGroup* group_;
   std::vector<int> rows_;
+  std::optional<Whitening> whitening_;  // where rows are not simply divided by u_mm
 };
 
 /// Most observations that are filled at once.
 inline constexpr Eigen::Index kObservationsPerBlock = 64;
+
+/// Weighs all of them. theory/identification.md eq. (18)
+void weigh_all(const std::vector<std::unique_ptr<Residual>>& residuals, const Unknowns& unknowns,
+               const Eigen::VectorXd& x);
 
 /// Cuts a group into residuals, registering what they bring along as unknown. Rows of the other set
 /// (fit or check) are left out. The group must outlive them.

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "armcal/identification/estimation_problem.h"
+#include "armcal/identification/residuals/measured_point.h"
 #include "armcal/numerics/derivative_check.h"
 #include "armcal/testing/random_arms.h"
 #include "armcal/testing/synthetic_readings.h"
@@ -76,6 +77,15 @@ const KindCase kKinds[] = {
      }},
     {"reversal",
      [](SyntheticReadings& s) -> std::vector<ObservationGroup> { return {s.reversals(21)}; }},
+    {"reversal_read_at_both_ends",
+     [](SyntheticReadings& s) -> std::vector<ObservationGroup> {
+       ObservationGroup group = s.reversals(21);
+       for (double& angle : group.encoder_end_rad.reshaped()) angle += 1e-3 * s.random().normal();
+       const Eigen::Matrix3Xd before = moving_tips(s.truth(), group.encoder_rad).at_mm;
+       const Eigen::Matrix3Xd after = moving_tips(s.truth(), group.encoder_end_rad).at_mm;
+       group.value_mm = (before - after).colwise().norm();
+       return {group};
+     }},
     {"circle_radius",
      [](SyntheticReadings& s) -> std::vector<ObservationGroup> { return {s.circle_radii(21)}; }},
     {"sphere_known",
@@ -187,6 +197,97 @@ TEST_P(EveryKind, HasTheDerivativesOfItsResiduals) {
     const double size = std::max(floor, reference.col(c).cwiseAbs().maxCoeff());
     EXPECT_LT((analytic - reference).col(c).cwiseAbs().maxCoeff(), 2e-9 * size)
         << unknowns_->names()[static_cast<std::size_t>(c)];
+  }
+}
+
+// All rows of all groups, one residual below the other, in mm.
+Eigen::VectorXd residuals_mm(const std::vector<ObservationGroup>& groups, Unknowns unknowns,
+                             const Eigen::VectorXd& x) {
+  std::vector<std::unique_ptr<Residual>> residuals;
+  for (const ObservationGroup& group : groups) {
+    for (auto& residual : residuals_of(group, false, unknowns))
+      residuals.push_back(std::move(residual));
+  }
+  std::vector<const Residual*> pointers;
+  for (const auto& residual : residuals) pointers.push_back(residual.get());
+  return residuals_at(EstimationProblem(pointers, unknowns, {}), x);
+}
+
+// The encoders of all rows off by the same: joints, then joints after a turn. A locked joint that
+// shows the same at both ends was read once.
+std::vector<ObservationGroup> with_encoders_off(std::vector<ObservationGroup> groups,
+                                                const Eigen::VectorXd& off_rad) {
+  for (ObservationGroup& group : groups) {
+    for (Eigen::Index i = 0; i < group.encoder_rad.cols(); ++i) {
+      for (Eigen::Index joint = 0; joint < group.encoder_rad.rows(); ++joint) {
+        if (group.kind == ReferenceKind::reversal) {
+          const bool once = group.encoder_end_rad(joint, i) == group.encoder_rad(joint, i);
+          const Eigen::Index after = once ? joint : group.encoder_rad.rows() + joint;
+          group.encoder_end_rad(joint, i) += off_rad(after);
+        }
+        group.encoder_rad(joint, i) += off_rad(joint);
+      }
+    }
+  }
+  return groups;
+}
+
+TEST_P(EveryKind, KnowsHowItsResidualsMoveWithTheEncoders) {
+  RandomStream random(13, 0);
+  ArmModel truth = testing::random_arm(6, random);
+  truth.joints[2].harmonics = {{0.01, -0.02}};
+  truth.joints[3].direction = -1;
+  SyntheticReadings readings(truth, 14, 0.5);
+  auto groups = GetParam().make(readings);
+  for (ObservationGroup& group : groups) group.u_mm.setConstant(1.0);
+  build(testing::perturbed(truth, random, 1.0, 0.003), groups);
+  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(12);
+  const Eigen::MatrixXd reference = jacobian_by_differences(
+      [&](const Eigen::VectorXd& off_rad) {
+        return residuals_mm(with_encoders_off(groups, off_rad), *unknowns_, x_);
+      },
+      zero, Eigen::VectorXd::Constant(12, 0.02));
+  Eigen::Index row = 0;
+  for (const auto& residual : residuals_) {
+    const Eigen::MatrixXd J = residual->J_residual_encoders(unknowns_->arm_at(x_), *unknowns_, x_);
+    ASSERT_EQ(J.rows(), residual->count() * residual->rows_per_observation());
+    const Eigen::MatrixXd own = reference.middleRows(row, J.rows());
+    const double size = std::max(1.0, own.cwiseAbs().maxCoeff());
+    EXPECT_LT((own.leftCols(J.cols()) - J).cwiseAbs().sum(), 1e-7 * size);
+    // What it does not tell of does not move it.
+    EXPECT_EQ(own.rightCols(12 - J.cols()).cwiseAbs().sum(), 0.0);
+    row += J.rows();
+  }
+  EXPECT_EQ(row, reference.rows());
+}
+
+// The law of eq. (18): whitened derivatives by the encoders, in units of their uncertainty, and the
+// whitened scatter of the reference together are the unit matrix.
+TEST_P(EveryKind, WhitensItsRowsByTheirWholeCovariance) {
+  RandomStream random(15, 0);
+  const ArmModel truth = testing::random_arm(6, random);
+  SyntheticReadings readings(truth, 16, 0.5);
+  auto groups = GetParam().make(readings);
+  constexpr double kEncoder_rad = 5e-4;
+  for (ObservationGroup& group : groups) group.u_encoder_rad = kEncoder_rad;
+  build(truth, groups);
+  weigh_all(residuals_, *unknowns_, x_);
+  for (const auto& residual : residuals_) {
+    const Eigen::Index size = residual->rows_per_observation();
+    const Eigen::MatrixXd J =
+        kEncoder_rad * residual->J_residual_encoders(unknowns_->arm_at(x_), *unknowns_, x_);
+    for (Eigen::Index i = 0; i < residual->count(); ++i) {
+      Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> rows(
+          size, J.cols() + size + 1);
+      rows << J.middleRows(i * size, size),
+          residual->group().u_mm(residual->row(i)) * Eigen::MatrixXd::Identity(size, size),
+          Eigen::VectorXd::Zero(size);
+      residual->whiten(i, 1, {size, rows.cols() - 1, rows.cols(), rows.data()});
+      EXPECT_LT((rows * rows.transpose() - Eigen::MatrixXd::Identity(size, size)).norm(), 1e-10);
+      const double largest = rows.middleCols(J.cols(), size).rowwise().norm().maxCoeff();
+      EXPECT_NEAR(residual->largest_weight(i) * residual->group().u_mm(residual->row(i)), largest,
+                  1e-12 * largest);
+    }
   }
 }
 

@@ -39,4 +39,26 @@ void ReversalResidual::fill(const ArmAt& at, const Unknowns& unknowns, const Eig
   }
 }
 
+Eigen::MatrixXd ReversalResidual::J_residual_encoders(const ArmModel& arm, const Unknowns&,
+                                                      const Eigen::VectorXd&) const {
+  const Eigen::MatrixXd before_rad = encoders(group().encoder_rad);
+  const Eigen::MatrixXd after_rad = encoders(group().encoder_end_rad);
+  const MovingPoints before = moving_tips(arm, before_rad);
+  const MovingPoints after = moving_tips(arm, after_rad);
+  const Eigen::Index joints = before_rad.rows();
+  Eigen::MatrixXd J(count(), 2 * joints);
+  for (Eigen::Index i = 0; i < count(); ++i) {
+    const Eigen::Vector3d along = (before.at_mm.col(i) - after.at_mm.col(i)).normalized();
+    J.row(i) << along.transpose() * before.J_encoders.middleRows<3>(3 * i),
+        -along.transpose() * after.J_encoders.middleRows<3>(3 * i);
+    // A locked joint that shows the same at both ends was read once, with one error.
+    for (Eigen::Index joint = 0; joint < joints; ++joint) {
+      if (before_rad(joint, i) != after_rad(joint, i)) continue;
+      J(i, joint) += J(i, joints + joint);
+      J(i, joints + joint) = 0.0;
+    }
+  }
+  return J;
+}
+
 }  // namespace armcal

@@ -63,4 +63,16 @@ void SphereResidual::fill(const ArmAt& at, const Unknowns& unknowns, const Eigen
   }
 }
 
+Eigen::MatrixXd SphereResidual::J_residual_encoders(const ArmModel& arm, const Unknowns& unknowns,
+                                                    const Eigen::VectorXd& x) const {
+  const MovingPoints points = point_.moving(arm, unknowns, x, encoders(group().encoder_rad));
+  const Eigen::Vector3d center = unknowns.point(x, center_);
+  Eigen::MatrixXd J(count(), points.J_encoders.cols());
+  for (Eigen::Index i = 0; i < count(); ++i) {
+    const Eigen::Vector3d outward = (points.at_mm.col(i) - center).normalized();
+    J.row(i) = outward.transpose() * points.J_encoders.middleRows<3>(3 * i);
+  }
+  return J;
+}
+
 }  // namespace armcal
