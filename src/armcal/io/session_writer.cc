@@ -61,7 +61,8 @@ bool all_encoders_alike(const std::vector<SessionGroup>& groups) {
   });
 }
 
-std::string group_text(const SessionGroup& group, const std::string& session_file, bool with_encoders) {
+std::string group_text(const SessionGroup& group, const std::string& session_file,
+                       bool with_encoders) {
   const bool is_called_like_its_file =
       !group.file.empty() && std::filesystem::path(group.file).stem() == group.name;
   std::string text = fmt::format("\n[[observations]]\nkind = \"{}\"\n", to_string(group.kind));

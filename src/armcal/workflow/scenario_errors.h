@@ -11,7 +11,7 @@
 namespace armcal {
 
 /// Reads the table [errors] of a scenario, to its end: one table per source, called like the member
-/// of ErrorSources; `typical = true` in it starts from typical sizes.
+/// of ErrorSources; `typical = true` in it, or once above them all, starts from typical sizes.
 [[nodiscard]] ErrorSources read_error_sources(TomlSection& section, Diagnostics& diagnostics);
 
 /// A source as a scenario may switch it on.

@@ -86,10 +86,7 @@ void check_platforms(const std::vector<PlannedMeasurement>& measurements,
 }
 
 void check_truth(const SimulationScenario& scenario, TomlSection& root, Diagnostics& diagnostics) {
-  const GeometryErrors& drawn = scenario.errors.geometry;
-  const bool draws = drawn.u_twist_rad > 0.0 || drawn.u_zero_rad > 0.0 || drawn.u_offset_mm > 0.0 ||
-                     drawn.u_length_mm > 0.0;
-  if (scenario.truth_file.empty() || !draws) return;
+  if (scenario.truth_file.empty() || !scenario.errors.geometry.is_on()) return;
   diagnostics.error(root.where("truth"), "the geometry is given by truth and by [errors.geometry]",
                     "keep one of them");
 }

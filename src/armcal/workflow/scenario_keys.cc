@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "armcal/core/spelling.h"
 #include "armcal/core/units.h"
@@ -28,6 +29,15 @@ std::optional<double> read_amount(TomlSection& section, const std::string& key, 
       section.where(key),
       fmt::format("{} is {}: must {}", key, *value,
                   range == AmountRange::positive ? "be larger than 0" : "not be negative"));
+  return std::nullopt;
+}
+
+std::optional<double> read_share(TomlSection& section, const std::string& key,
+                                 Diagnostics& diagnostics) {
+  const auto value = section.number(key);
+  if (!value) return std::nullopt;
+  if (*value >= 0.0 && *value <= 1.0) return value;
+  diagnostics.error(section.where(key), fmt::format("{} is {}: must be 0 to 1", key, *value));
   return std::nullopt;
 }
 

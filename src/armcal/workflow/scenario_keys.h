@@ -20,6 +20,8 @@ enum class AmountRange { not_negative, positive, any };
 // Each returns nothing where the key is absent or wrong, which goes to `diagnostics`.
 std::optional<double> read_amount(TomlSection& section, const std::string& key, AmountRange range,
                                   Diagnostics& diagnostics);
+std::optional<double> read_share(TomlSection& section, const std::string& key,
+                                 Diagnostics& diagnostics);
 /// rad, from STEM_deg or STEM_arcsec
 std::optional<double> read_angle(TomlSection& section, const std::string& stem, AmountRange range,
                                  Diagnostics& diagnostics);
@@ -46,6 +48,16 @@ ScenarioKey<Options> amount(const std::string& name, double Options::*member,
                             AmountRange range = AmountRange::not_negative) {
   return {name, [=](TomlSection& section, Options& options, Diagnostics& diagnostics) {
             if (const auto value = read_amount(section, name, range, diagnostics)) {
+              options.*member = *value;
+            }
+          }};
+}
+
+/// A part of a whole, 0 to 1.
+template <class Options>
+ScenarioKey<Options> share(const std::string& name, double Options::*member) {
+  return {name, [=](TomlSection& section, Options& options, Diagnostics& diagnostics) {
+            if (const auto value = read_share(section, name, diagnostics)) {
               options.*member = *value;
             }
           }};

@@ -4,8 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "armcal/core/spelling.h"
 #include "armcal/workflow/scenario_keys.h"
 
@@ -158,8 +156,8 @@ Definition definition(const char* name, const char* brief) {
 }
 
 // A new kind of measurement is a line here, its keys above, and its place in `Measurement`.
-const std::vector<Definition>& definitions() {
-  static const std::vector<Definition> all = {
+std::vector<Definition> definitions() {
+  return {
       definition<ReferenceCmm>("reference_cmm", "a CMM that measures the same points"),
       definition<LaserTracker>("laser_tracker", "a tracker and a reflector on the tip"),
       definition<PoseTracker>("pose_tracker", "a tracker and a target of six degrees of freedom"),
@@ -176,7 +174,6 @@ const std::vector<Definition>& definitions() {
       definition<CircleRadii>("circle_radii", "circles of the tip about single joints"),
       definition<SymmetricPoint>("symmetric_point", "a symmetric-point procedure, as raw points"),
   };
-  return all;
 }
 
 }  // namespace
@@ -195,11 +192,11 @@ std::vector<MeasurementKind> measurement_kinds() {
 std::optional<Measurement> read_measurement(TomlSection& section, Diagnostics& diagnostics) {
   const auto with = section.required_text("with");
   if (!with) return std::nullopt;
-  const auto found = std::find_if(definitions().begin(), definitions().end(),
-                                  [&](const Definition& each) { return each.kind.name == *with; });
-  if (found != definitions().end()) return found->read(section, diagnostics);
   std::vector<std::string> names;
-  for (const Definition& each : definitions()) names.push_back(each.kind.name);
+  for (const Definition& each : definitions()) {
+    if (each.kind.name == *with) return each.read(section, diagnostics);
+    names.push_back(each.kind.name);
+  }
   diagnostics.error(section.where("with"), fmt::format("nothing measures with \"{}\"", *with),
                     did_you_mean(*with, names));
   return std::nullopt;

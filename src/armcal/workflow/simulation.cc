@@ -43,6 +43,7 @@ class Simulator {
     laboratory_.begin(kCheckMeasurement);
     attempt_check();
     require_good();
+    tell_encoder_noise();
     put_on_platform();
     check_count();
     require_good();
@@ -122,15 +123,26 @@ class Simulator {
     result_.drawing_error_mm = drawing_error_mm(postures, tips_mm);
   }
 
-  [[nodiscard]] double floor_mm(const std::vector<Eigen::VectorXd>& postures) const {
+  // Standard uncertainty of a reading: noise, and rounding to steps.
+  [[nodiscard]] double u_encoder_rad() const {
     const EncoderNoise& noise = scenario_.errors.encoder_noise;
-    const double variance = noise.u_rad * noise.u_rad + noise.step_rad * noise.step_rad / 12.0;
+    return std::sqrt(noise.u_rad * noise.u_rad + noise.step_rad * noise.step_rad / 12.0);
+  }
+
+  void tell_encoder_noise() {
+    for (ObservationGroup& group : result_.groups) {
+      if (group.encoder_rad.cols() > 0) group.u_encoder_rad = u_encoder_rad();
+    }
+    if (result_.check) result_.check->u_encoder_rad = u_encoder_rad();
+  }
+
+  [[nodiscard]] double floor_mm(const std::vector<Eigen::VectorXd>& postures) const {
     const ForwardKinematics kinematics(result_.truth);
     double sum_mm2 = 0.0;
     for (const Eigen::VectorXd& posture : postures) {
-      sum_mm2 += variance * kinematics.linearise(as_span(posture)).J_tip_encoder.squaredNorm();
+      sum_mm2 += kinematics.linearise(as_span(posture)).J_tip_encoder.squaredNorm();
     }
-    return std::sqrt(sum_mm2 / static_cast<double>(postures.size()));
+    return u_encoder_rad() * std::sqrt(sum_mm2 / static_cast<double>(postures.size()));
   }
 
   [[nodiscard]] double drawing_error_mm(const std::vector<Eigen::VectorXd>& postures,
