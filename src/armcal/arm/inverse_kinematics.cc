@@ -154,23 +154,46 @@ Eigen::VectorXd Search::nudged(const Eigen::VectorXd& encoder_rad, int time) con
   return result;
 }
 
+// Whether a way down still leads anywhere.
+class Progress {
+ public:
+  explicit Progress(const Place& start) : miss_before_mm_(start.miss_mm()) {}
+
+  [[nodiscard]] bool has_ended(const Place& here, const Place& next) {
+    constexpr double kNoSlope = 1e-6;  // rad from where nothing brings the tip nearer
+    constexpr double kNoMotion_rad = 1e-12;
+    // Also at the edge of reach, where the root is double, the miss halves with every step: one
+    // that has not fallen by a hundredth in eight will not vanish.
+    constexpr int kPatience = 8;
+    constexpr double kHardly = 0.99;
+    if (here.slope() < kNoSlope) return true;
+    if ((next.encoder_rad - here.encoder_rad).norm() < kNoMotion_rad) return true;
+    if (++steps_ % kPatience != 0) return false;
+    const bool hardly_fell = here.miss_mm() > kHardly * miss_before_mm_;
+    miss_before_mm_ = here.miss_mm();
+    return hardly_fell;
+  }
+
+ private:
+  double miss_before_mm_;
+  int steps_ = 0;
+};
+
 Place Search::descended(const Eigen::VectorXd& encoder_rad) {
   constexpr int kNudges = 3;
-  constexpr double kNoSlope = 1e-6;  // rad from where nothing brings the tip nearer
-  constexpr double kNoMotion_rad = 1e-12;
   constexpr double kLeastDamping = 1e-3;
   Place here = at(encoder_rad);
   Place nearest = here;
+  Progress progress(here);
   double damping = 1.0;
   int nudges = 0;
   for (int i = 0; i < options_.max_iterations && !has_arrived(here); ++i) {
     Place next = at(stepped(here, damping));
-    const bool stays =
-        here.slope() < kNoSlope || (next.encoder_rad - here.encoder_rad).norm() < kNoMotion_rad;
-    if (stays && nudges == kNudges) break;
-    if (stays) {
+    if (progress.has_ended(here, next)) {
       // Out of reach; or stretched straight at a point that asks to be folded: try beside.
+      if (nudges == kNudges) break;
       here = at(nudged(nearest.encoder_rad, nudges++));
+      progress = Progress(here);
       damping = 1.0;
     } else if (next.miss_mm() < here.miss_mm()) {
       here = std::move(next);

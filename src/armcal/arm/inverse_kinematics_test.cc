@@ -55,7 +55,8 @@ TEST(InverseKinematics, PutsTheTipsOfRandomArmsOnPointsThatTheyReach) {
       const PostureSearch patient = find_posture(kinematics, point, anywhere, {.restarts = 20});
       EXPECT_TRUE(patient.found) << joints << " joints, missed by " << patient.miss_mm;
     }
-    EXPECT_GE(found, joints == 3 ? trials / 2 : trials * 8 / 10) << joints << " joints";
+    // Of 1,000 it finds 846, 965, 987, 999, 1,000, 1,000 with 3 to 8 joints.
+    EXPECT_GE(found, trials * (joints == 3 ? 7 : 8) / 10) << joints << " joints";
   }
 }
 

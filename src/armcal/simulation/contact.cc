@@ -33,13 +33,19 @@ TakenReading take_on(Laboratory& laboratory, const Feature& feature, const std::
     const Eigen::VectorXd posture =
         laboratory.postures_with_tip_at(feature.at_mm, 1, what, now(laboratory, feature)).front();
     if (!stands_on_free_side(kinematics, posture, feature)) continue;
-    return laboratory.take(posture, -feature.outward);
+    return laboratory.take_with_tip_at(feature.at_mm, posture, what, -feature.outward);
   }
   throw Impossible(fmt::format("{} at ({:.1f}, {:.1f}, {:.1f}) mm is reached from behind only",
                                what, feature.at_mm.x(), feature.at_mm.y(), feature.at_mm.z()));
 }
 
+bool is_beyond_reach(const VirtualArm& arm, const Eigen::Vector3d& point_mm) {
+  const Eigen::Vector3d shoulder_mm = arm.truth().base_from_first_joint.translation_mm;
+  return (point_mm - shoulder_mm).norm() > reach_mm(arm.truth());
+}
+
 bool is_within_reach(Laboratory& laboratory, const Feature& feature) {
+  if (is_beyond_reach(laboratory.arm(), feature.at_mm)) return false;
   const ForwardKinematics kinematics(laboratory.arm().truth());
   // A stop or a column leaves one start in ten or so; a point that twenty miss is given up.
   constexpr int kMost = 60;
@@ -55,13 +61,18 @@ bool is_within_reach(Laboratory& laboratory, const Feature& feature) {
   return reached == kEnough;
 }
 
-void take_in_seat(Laboratory& laboratory, const Feature& seat, const std::string& what, int count,
-                  double u_mm, ObservationGroup& group, Eigen::Index first) {
+Eigen::MatrixXd take_in_seat(Laboratory& laboratory, const Feature& seat, const std::string& what,
+                             int count, double u_mm) {
+  const auto postures =
+      laboratory.postures_with_tip_at(seat.at_mm, count, what, now(laboratory, seat));
+  Eigen::MatrixXd encoder_rad(laboratory.arm().truth().joint_count(), count);
   for (Eigen::Index i = 0; i < count; ++i) {
-    Feature held = seat;
-    held.at_mm += laboratory.noise(u_mm);
-    group.encoder_rad.col(first + i) = take_on(laboratory, held, what).encoder_rad;
+    const Eigen::Vector3d held_mm = seat.at_mm + laboratory.noise(u_mm);
+    encoder_rad.col(i) =
+        laboratory.take_with_tip_at(held_mm, postures[static_cast<std::size_t>(i)], what)
+            .encoder_rad;
   }
+  return encoder_rad;
 }
 
 }  // namespace armcal

@@ -15,12 +15,16 @@ namespace armcal {
 [[nodiscard]] TakenReading take_on(Laboratory& laboratory, const Feature& feature,
                                    const std::string& what);
 
+/// Is a point of the base frame so far from the shoulder that no posture gets there?
+[[nodiscard]] bool is_beyond_reach(const VirtualArm& arm, const Eigen::Vector3d& point_mm);
+
 /// Is the feature reached in more ways than one, as far as some dozen tries tell?
 [[nodiscard]] bool is_within_reach(Laboratory& laboratory, const Feature& feature);
 
-/// Takes `count` readings with the tip in a seat that holds it at the feature, but for its
-/// repeatability, and puts them into the columns first .. of the group.
-void take_in_seat(Laboratory& laboratory, const Feature& seat, const std::string& what, int count,
-                  double u_mm, ObservationGroup& group, Eigen::Index first);
+/// Takes `count` readings in different postures, one per column, with the tip in a seat that holds
+/// it at the feature, but for its repeatability (each coordinate).
+/// @throws Impossible where so many postures are not found
+[[nodiscard]] Eigen::MatrixXd take_in_seat(Laboratory& laboratory, const Feature& seat,
+                                           const std::string& what, int count, double u_mm);
 
 }  // namespace armcal

@@ -160,7 +160,8 @@ Eigen::Vector3d Laboratory::next_blunder() {
 TakenReading Laboratory::take(const Eigen::VectorXd& encoder_rad, const Eigen::Vector3d& push) {
   const Circumstances now = next_circumstances(push);
   const Eigen::Vector3d off = next_blunder();
-  return {arm_.shown(encoder_rad, chance_.encoders), arm_.tip(encoder_rad, now) + off, off};
+  return {arm_.shown(encoder_rad, chance_.encoders), arm_.tip(encoder_rad, now) + off, off,
+          arm_.base_from_last_joint(encoder_rad, now)};
 }
 
 TakenReading Laboratory::take_with_tip_at(const Eigen::Vector3d& point_mm,
@@ -173,7 +174,7 @@ TakenReading Laboratory::take_with_tip_at(const Eigen::Vector3d& point_mm,
     throw Impossible(fmt::format("the tip cannot be held on {} at {} near the posture given", what,
                                  in_words(point_mm)));
   }
-  return {arm_.shown(*posture, chance_.encoders), point_mm + off, off};
+  return {arm_.shown(*posture, chance_.encoders), point_mm + off, off, arm_.base_from_last_joint(*posture, now)};
 }
 
 }  // namespace armcal

@@ -28,6 +28,7 @@ struct TakenReading {
   Eigen::Vector3d tip_mm;       ///< where the tip is for whoever measures it, base frame
   /// By how much tip and encoders do not belong together; zero but for a blunder.
   Eigen::Vector3d blunder_mm = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d base_from_last_joint = Eigen::Matrix3d::Identity();  ///< how it was turned
 
   [[nodiscard]] bool is_blunder() const { return !blunder_mm.isZero(0.0); }
 };

@@ -14,50 +14,47 @@ namespace {
 constexpr int kPlaces = 300;
 constexpr double kBodyStep_mm = 20.0;
 
-// What is wrong with a place, and how many features were found to be right before.
+// What is wrong with a place, and how much of it was found to be right before.
 struct Fault {
   std::size_t right = 0;
   std::string reason;
 };
 
 std::string at(const Eigen::Vector3d& point) {
-  return fmt::format("({:.1f}, {:.1f}, {:.1f}) mm", point.x(), point.y(), point.z());
+  return fmt::format("at ({:.1f}, {:.1f}, {:.1f}) mm", point.x(), point.y(), point.z());
 }
 
-// Of points that no posture reaches, without looking for one.
-bool beyond_reach(const VirtualArm& arm, const Eigen::Vector3d& point_mm) {
-  const Eigen::Vector3d shoulder = arm.truth().base_from_first_joint.translation_mm;
-  return (point_mm - shoulder).norm() > reach_mm(arm.truth());
-}
-
-std::optional<std::string> fault_of(Laboratory& laboratory, const Feature& feature) {
-  if (const auto obstacle = obstruction(laboratory.arm(), feature.at_mm)) {
-    return fmt::format("{} at {} is {}", feature.name, at(feature.at_mm), *obstacle);
+RigidTransform any_place(Laboratory& laboratory, const Solid& solid) {
+  try {
+    return laboratory.convenient_place(0.0);
+  } catch (const Impossible& impossible) {
+    throw Impossible(fmt::format("{} cannot be measured: {}", solid.name, impossible.what()));
   }
-  if (beyond_reach(laboratory.arm(), feature.at_mm) || !is_within_reach(laboratory, feature)) {
-    return fmt::format("{} at {} is out of reach", feature.name, at(feature.at_mm));
-  }
-  return std::nullopt;
 }
 
 std::optional<Fault> fault_of(Laboratory& laboratory, const Solid& solid,
                               const RigidTransform& base_from_solid) {
-  for (const Eigen::Vector3d& point : solid.body_mm) {
-    const Eigen::Vector3d in_base = base_from_solid * point;
-    if (const auto obstacle = obstruction(laboratory.arm(), in_base)) {
-      return Fault{0, fmt::format("its body at {} is {}", at(in_base), *obstacle)};
-    }
-  }
   // What is cheap to know first: most places fail by it.
   for (const Feature& feature : solid.features) {
     const Eigen::Vector3d in_base = base_from_solid * feature.at_mm;
-    if (beyond_reach(laboratory.arm(), in_base)) {
-      return Fault{0, fmt::format("{} at {} is out of reach", feature.name, at(in_base))};
+    if (is_beyond_reach(laboratory.arm(), in_base)) {
+      return Fault{0, fmt::format("{} {} is beyond the reach of {:.0f} mm", feature.name,
+                                  at(in_base), reach_mm(laboratory.arm().truth()))};
+    }
+  }
+  for (const Eigen::Vector3d& point : solid.body_mm) {
+    const Eigen::Vector3d in_base = base_from_solid * point;
+    if (const auto obstacle = obstruction(laboratory.arm(), in_base)) {
+      return Fault{1, fmt::format("its body {} is {}", at(in_base), *obstacle)};
     }
   }
   for (std::size_t i = 0; i < solid.features.size(); ++i) {
-    auto reason = fault_of(laboratory, placed(base_from_solid, solid.features[i]));
-    if (reason) return Fault{i, std::move(*reason)};
+    const Feature feature = placed(base_from_solid, solid.features[i]);
+    const std::string which = fmt::format("{} {} is ", feature.name, at(feature.at_mm));
+    if (const auto obstacle = obstruction(laboratory.arm(), feature.at_mm)) {
+      return Fault{2 + i, which + *obstacle};
+    }
+    if (!is_within_reach(laboratory, feature)) return Fault{2 + i, which + "out of reach"};
   }
   return std::nullopt;
 }
@@ -88,7 +85,7 @@ std::vector<Eigen::Vector3d> plate_body(double size_x_mm, double size_y_mm) {
 RigidTransform place_within_reach(Laboratory& laboratory, const Solid& solid) {
   std::optional<Fault> least;
   for (int i = 0; i < kPlaces; ++i) {
-    const RigidTransform base_from_solid = laboratory.convenient_place(0.0);
+    const RigidTransform base_from_solid = any_place(laboratory, solid);
     auto fault = fault_of(laboratory, solid, base_from_solid);
     if (!fault) return base_from_solid;
     if (!least || fault->right > least->right) least = std::move(fault);

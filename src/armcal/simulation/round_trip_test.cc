@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "armcal/arm/parameter_table.h"
-#include "armcal/core/units.h"
 #include "armcal/identification/calibration.h"
 #include "armcal/simulation/artefacts/ball_bar.h"
 #include "armcal/simulation/artefacts/calibrated_sphere.h"
@@ -19,6 +18,7 @@
 #include "armcal/simulation/instruments/laser_tracker.h"
 #include "armcal/simulation/instruments/pose_tracker.h"
 #include "armcal/simulation/instruments/reference_cmm.h"
+#include "armcal/testing/seven_joint_arm.h"
 #include "armcal/testing/wang2016_arm.h"
 
 namespace armcal {
@@ -26,32 +26,8 @@ namespace {
 
 using Groups = std::vector<ObservationGroup>;
 
-// Proportions of a 2.5 m arm of seven joints, with stops (examples/arms/seven-joint.arm.toml).
-ArmModel seven_joint_arm() {
-  ArmModel arm;
-  arm.name = "seven-joint measuring arm";
-  arm.links.resize(6);
-  for (std::size_t i = 0; i < 6; ++i) {
-    arm.links[i].alpha_rad = radians_from_degrees(i % 2 == 0 ? 90.0 : -90.0);
-  }
-  arm.links[0].d_mm = 300.0;
-  arm.links[1].b_mm = 600.0;
-  arm.links[2].a_mm = 45.0;
-  arm.links[3].b_mm = 500.0;
-  arm.links[4].a_mm = 35.0;
-  arm.links[5].b_mm = 100.0;
-  arm.tip = {.a_mm = 30.0, .b_mm = 0.0, .d_mm = 150.0};
-  constexpr double kStops_deg[7][2] = {{-360, 360}, {-60, 120},  {-360, 360}, {-30, 210},
-                                       {-360, 360}, {-110, 110}, {-360, 360}};
-  for (const auto& [low, high] : kStops_deg) {
-    arm.joints.push_back(
-        {.min_rad = radians_from_degrees(low), .max_rad = radians_from_degrees(high)});
-  }
-  return arm;
-}
-
 ArmModel nominal_arm(int joints) {
-  return joints == 6 ? testing::nominal_romer() : seven_joint_arm();
+  return joints == 6 ? testing::nominal_romer() : testing::seven_joint_arm();
 }
 
 struct Method {

@@ -12,6 +12,7 @@ namespace armcal {
 namespace {
 
 constexpr double kNoiselessU_mm = 0.001;  // weights must be finite
+constexpr double kRounding_rad = 1e-9;    // of a plan that goes to a stop
 
 // Takes the points of one reading, in the frame in which the reference machine stands for it.
 class Gesture {
@@ -47,7 +48,7 @@ class Gesture {
     const Eigen::Index joint = reading_.joint - 1;
     Eigen::VectorXd planned_end = reading_.posture_rad;
     planned_end(joint) += planned_turn();
-    require_free(planned_end);
+    require_free(planned_end, kRounding_rad);
     const Eigen::VectorXd before = set_by_hand(reading_.posture_rad);
     Eigen::VectorXd after = before + errors(practice_.u_slip_rad);
     after(joint) =
@@ -69,8 +70,11 @@ class Gesture {
     if (reading_.posture_end_rad.size() > 0) {
       return reading_.posture_end_rad(joint) - reading_.posture_rad(joint);
     }
-    const auto& limits = laboratory_.arm().truth().joints[static_cast<std::size_t>(joint)];
-    return reading_.posture_rad(joint) + pi > limits.max_rad ? -pi : pi;
+    const Joint& stops = laboratory_.arm().truth().joints[static_cast<std::size_t>(joint)];
+    const double start = reading_.posture_rad(joint);
+    const bool only_back =
+        start + pi > stops.max_rad + kRounding_rad && start - pi > stops.min_rad - kRounding_rad;
+    return only_back ? -pi : pi;
   }
 
   void search_zero() {
@@ -116,7 +120,7 @@ class Gesture {
   }
 
   [[nodiscard]] Eigen::VectorXd set_by_hand(const Eigen::VectorXd& planned) {
-    require_free(planned);
+    require_free(planned, kRounding_rad);
     const Eigen::VectorXd posture = short_of_stops(planned + errors(practice_.u_posture_rad));
     require_free(posture);
     return posture;
@@ -128,18 +132,21 @@ class Gesture {
     return errors;
   }
 
-  // What a hand does not set beyond its stops.
-  [[nodiscard]] Eigen::VectorXd short_of_stops(Eigen::VectorXd posture) const {
+  // A hand sets no joint beyond its stops; nor does a plan, but for rounding.
+  [[nodiscard]] Eigen::VectorXd short_of_stops(Eigen::VectorXd posture,
+                                               double beyond_rad = HUGE_VAL) const {
     const auto& joints = laboratory_.arm().truth().joints;
     for (std::size_t i = 0; i < joints.size(); ++i) {
       double& angle = posture(static_cast<Eigen::Index>(i));
-      angle = std::clamp(angle, joints[i].min_rad, joints[i].max_rad);
+      const double stopped = std::clamp(angle, joints[i].min_rad, joints[i].max_rad);
+      if (std::abs(angle - stopped) <= beyond_rad) angle = stopped;
     }
     return posture;
   }
 
-  void require_free(const Eigen::VectorXd& posture) const {
-    if (const auto obstacle = laboratory_.arm().obstacle(posture)) {
+  void require_free(const Eigen::VectorXd& posture, double beyond_rad = 0.0) const {
+    const Eigen::VectorXd within = short_of_stops(posture, beyond_rad);
+    if (const auto obstacle = laboratory_.arm().obstacle(within)) {
       throw Impossible(fmt::format("reading \"{}\" cannot be taken: {}", reading_.name, *obstacle));
     }
   }

@@ -92,6 +92,11 @@ Eigen::Vector3d VirtualArm::tip(const Eigen::VectorXd& encoder_rad,
   return frames.tip_mm + yield_to(errors_.probing_force, circumstances.push, stylus);
 }
 
+Eigen::Matrix3d VirtualArm::base_from_last_joint(const Eigen::VectorXd& encoder_rad,
+                                                 const Circumstances& circumstances) const {
+  return frames_of(state(encoder_rad, circumstances)).base_from_link.back().rotation;
+}
+
 Eigen::VectorXd VirtualArm::shown(const Eigen::VectorXd& encoder_rad, RandomStream& random) const {
   Eigen::VectorXd shown = encoder_rad;
   for (double& reading : shown) reading = shown_reading(reading, errors_.encoder_noise, random);
@@ -106,6 +111,9 @@ std::optional<std::string> VirtualArm::obstacle(const Eigen::VectorXd& encoder_r
 std::optional<Eigen::VectorXd> VirtualArm::posture_with_tip_at(
     const Eigen::Vector3d& point_mm, const Eigen::VectorXd& start_rad,
     const Circumstances& circumstances) const {
+  const Eigen::Vector3d shoulder = truth_.base_from_first_joint.translation_mm;
+  constexpr double kRoom = 1.01;  // for what lengthens an arm beyond its geometry
+  if ((point_mm - shoulder).norm() > kRoom * reach_mm(truth_)) return std::nullopt;
   // What is not geometry is small: aim beside the point by what is missing, a few times. Each time
   // gains at least two digits, for what is missing changes little with the posture.
   constexpr int kCorrections = 10;

@@ -57,6 +57,10 @@ class VirtualArm {
   [[nodiscard]] Eigen::Vector3d tip(const Eigen::VectorXd& encoder_rad,
                                     const Circumstances& circumstances = {}) const;
 
+  /// How the last joint is turned there, base frame: what a target on it shows beside its place.
+  [[nodiscard]] Eigen::Matrix3d base_from_last_joint(const Eigen::VectorXd& encoder_rad,
+                                                     const Circumstances& circumstances = {}) const;
+
   /// What the encoders show there.
   [[nodiscard]] Eigen::VectorXd shown(const Eigen::VectorXd& encoder_rad,
                                       RandomStream& random) const;

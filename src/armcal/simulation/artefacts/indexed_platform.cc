@@ -108,12 +108,12 @@ std::vector<ObservationGroup> measure(Laboratory& laboratory, const IndexedPlatf
     for (std::size_t k = 0; k < points.size(); ++k) {
       const auto& seen_from = points[k].seen_from;
       if (std::find(seen_from.begin(), seen_from.end(), &position) == seen_from.end()) continue;
-      for (int i = 0; i < platform.postures; ++i) {
-        Feature held = as_seen(position, points[k].in_room);
-        held.at_mm += laboratory.noise(platform.u_mm);
-        const TakenReading taken = take_on(laboratory, held, held.name);
-        readings.emplace_back(taken.encoder_rad.size() + 1);
-        readings.back() << position.index_rad, taken.encoder_rad;
+      const Feature seat = as_seen(position, points[k].in_room);
+      const Eigen::MatrixXd encoder_rad =
+          take_in_seat(laboratory, seat, seat.name, platform.postures, platform.u_mm);
+      for (const auto& of_arm : encoder_rad.colwise()) {
+        readings.emplace_back(of_arm.size() + 1);
+        readings.back() << position.index_rad, of_arm;
         point_of_reading.push_back(k);
       }
     }

@@ -13,8 +13,8 @@ ObservationGroup measure_seats(Laboratory& laboratory, const std::string& name,
   ObservationGroup group = empty_group(ReferenceKind::fixed_point, name, rows,
                                        laboratory.arm().truth().joint_count(), u_mm);
   for (const Feature& seat : seats) {
-    take_in_seat(laboratory, seat, seat.name, postures, u_mm, group,
-                 static_cast<Eigen::Index>(group.place.size()));
+    group.encoder_rad.middleCols(static_cast<Eigen::Index>(group.place.size()), postures) =
+        take_in_seat(laboratory, seat, seat.name, postures, u_mm);
     group.place.insert(group.place.end(), static_cast<std::size_t>(postures), seat.name);
   }
   return group;

@@ -50,15 +50,15 @@ bool GravitySag::is_on() const {
 
 GravitySag GravitySag::typical() {
   using std::numbers::pi;
-  constexpr double radius_mm = 43.5;
-  constexpr double wall_mm = 3.0;
+  constexpr double radius_mm = 43.0;
+  constexpr double wall_mm = 4.0;
   const double second_moment_mm4 = pi * radius_mm * radius_mm * radius_mm * wall_mm;
-  return {.tube_kg_per_mm = 2.0 * pi * radius_mm * wall_mm * 1.6e-6,
+  return {.tube_kg_per_mm = 2.0 * pi * radius_mm * wall_mm * 1.7e-6,
           .joint_kg = 0.5,
           .probe_kg = 0.3,
-          .bending_per_N_mm2 = 1.0 / (70e3 * second_moment_mm4),
-          .torsion_per_N_mm2 = 1.0 / (27e3 * 2.0 * second_moment_mm4),
-          .bearing_rad_per_N_mm = 2e-9,
+          .bending_per_N_mm2 = 1.0 / (140e3 * second_moment_mm4),
+          .torsion_per_N_mm2 = 1.0 / (25e3 * 2.0 * second_moment_mm4),
+          .bearing_rad_per_N_mm = 1e-9,
           .links = {}};
 }
 

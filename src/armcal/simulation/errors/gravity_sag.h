@@ -37,9 +37,9 @@ struct GravitySag {
   std::vector<LinkBody> links;
 
   [[nodiscard]] bool is_on() const;
-  /// Carbon-fibre tube of 90 mm and 3 mm wall (E 70, G 27 GPa, 1.6 g/cm3), joints of 0.5 kg, a
-  /// probe of 0.3 kg, bearings of 5e5 N m/rad. An estimate from these; no measured sag of an arm is
-  /// published in figures.
+  /// Tube of stiff carbon fibre, 90 mm outside with 4 mm wall (E 140, G 25 GPa, 1.7 g/cm3), joints
+  /// of 0.5 kg, a probe of 0.3 kg, bearings of 1e6 N m/rad. An estimate from these; no measured sag
+  /// of an arm is published in figures.
   [[nodiscard]] static GravitySag typical();
 };
 
