@@ -45,19 +45,20 @@ std::vector<std::string> Argument::spellings() const {
 }
 
 void Context::emit(const std::vector<InputRecord>& inputs, const Diagnostics& diagnostics,
-                   const Json& json_result, const std::string& text) const {
+                   const Json& json_result, const std::string& text,
+                   const std::optional<std::uint64_t>& seed) const {
   if (!quiet) {
     for (const Diagnostic& warning : diagnostics.warnings()) err << to_string(warning) << "\n";
   }
   if (json) {
-    out << json_document({command, inputs, std::nullopt, diagnostics}, json_result);
+    out << json_document({command, inputs, seed, diagnostics}, json_result);
   } else {
     out << text;
   }
 }
 
-void Context::save(const std::string& path, const std::string& text,
-                   const std::vector<InputRecord>& inputs) const {
+void Context::require_no_input(const std::string& path,
+                               const std::vector<InputRecord>& inputs) const {
   for (const InputRecord& input : inputs) {
     std::error_code ignored;
     if (!std::filesystem::equivalent(path, input.path, ignored)) continue;
@@ -66,6 +67,11 @@ void Context::save(const std::string& path, const std::string& text,
                       "choose another name for the output");
     throw InputError(diagnostics);
   }
+}
+
+void Context::save(const std::string& path, const std::string& text,
+                   const std::vector<InputRecord>& inputs) const {
+  require_no_input(path, inputs);
   write_file(path, text, overwrite);
 }
 

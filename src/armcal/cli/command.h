@@ -62,8 +62,12 @@ struct Context {
 
   /// Prints warnings to err (unless quiet) and the result to out: `text`, or with --json the
   /// document.
+  /// @param seed  where random numbers were drawn
   void emit(const std::vector<InputRecord>& inputs, const Diagnostics& diagnostics,
-            const Json& json, const std::string& text) const;
+            const Json& json, const std::string& text,
+            const std::optional<std::uint64_t>& seed = std::nullopt) const;
+  /// @throws InputError where the path is one of the inputs
+  void require_no_input(const std::string& path, const std::vector<InputRecord>& inputs) const;
   /// Writes an output file. @throws InputError where it would overwrite one of the inputs, and as
   /// write_file
   void save(const std::string& path, const std::string& text,

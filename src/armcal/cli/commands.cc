@@ -17,6 +17,7 @@ std::vector<Command> all_commands() {
           plan_command(),
           verify_command(),
           compare_command(),
+          simulate_command(),
           convert_command(),
           diff_command()};
 }

@@ -4,6 +4,7 @@
 
 #include "armcal/cli/commands.h"
 #include "armcal/workflow/paper_demo.h"
+#include "armcal/workflow/virtual_demo.h"
 
 namespace armcal::cli {
 namespace {
@@ -12,7 +13,12 @@ struct Flags {
   std::optional<std::string> story;
 };
 
-int run_demo(const Context& context) {
+int run_demo(const Flags& flags, const Context& context) {
+  if (flags.story == "virtual") {
+    const VirtualDemo demo = run_virtual_demo();
+    context.emit(demo.inputs, {}, demo.json, demo.text, demo.seed);
+    return kDone;
+  }
   const PaperDemo demo = run_paper_demo();
   context.emit(demo.inputs, {}, demo.json, demo.text);
   return kDone;
@@ -28,11 +34,15 @@ Command demo_command() {
   command.description =
       "paper: the calibration of a ROMER Infinite 2.0 from the printed readings of Wang et al. "
       "2016, and the three\n"
-      "contradictions that the program finds in them.";
+      "contradictions that the program finds in them.\n"
+      "virtual: an arm whose true geometry is known, calibrated with a cone, with a cone and a "
+      "bar, "
+      "and with a reference\n"
+      "CMM; what the truth says of each.";
   command.arguments = {
-      {"STORY", "which one; paper if not given", &flags->story, "", false, {"paper"}}};
-  command.examples = {"armcal demo", "armcal demo paper --json"};
-  command.run = [flags](const Context& context) { return run_demo(context); };
+      {"STORY", "which one; paper if not given", &flags->story, "", false, {"paper", "virtual"}}};
+  command.examples = {"armcal demo", "armcal demo paper --json", "armcal demo virtual"};
+  command.run = [flags](const Context& context) { return run_demo(*flags, context); };
   return command;
 }
 

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "armcal/cli/command.h"
 #include "armcal/testing/tool.h"
 
@@ -20,6 +22,32 @@ TEST(DemoCommand, TellsThePapersStory) {
   EXPECT_NEAR(tool({"demo", "paper", "--json"}).json()["sphere"]["relative_error"].get<double>(),
               -0.003836, 5e-7);
   EXPECT_EQ(tool({"demo", "nonsense"}).code, kWrongInput);
+}
+
+TEST(DemoCommand, TellsTheStoryOfAVirtualArm) {
+  const auto result = tool({"demo", "virtual", "--json"});
+  ASSERT_EQ(result.code, kDone) << result.err;
+  const Json json = result.json();
+  EXPECT_EQ(json["seed"], 1);
+  ASSERT_EQ(json["calibrations"].size(), 3u);
+  const Json& cone = json["calibrations"][0];
+  const Json& kit = json["calibrations"][1];
+  const Json& cmm = json["calibrations"][2];
+  // The truth is the best there is; what knows the scale comes near it, what does not stays far.
+  EXPECT_GT(json["drawing"]["ratio_to_floor"], 10.0);
+  for (const Json& good : {kit, cmm}) {
+    EXPECT_GT(good["ratio_to_floor"], 0.98);
+    EXPECT_LT(good["ratio_to_floor"], 1.5);
+    EXPECT_LT(std::abs(good["scale_um_per_m"].get<double>()), 20.0);
+    EXPECT_GE(good["intervals"]["inside"].get<int>(), good["intervals"]["count"].get<int>() - 4);
+    EXPECT_NEAR(good["sigma0"].get<double>(), 1.0, 0.2);
+  }
+  EXPECT_GT(std::abs(cone["scale_um_per_m"].get<double>()), 50.0);
+  // An arm that is larger by one in a thousand reads the cone with as much more scatter.
+  const Json& blind = json["cone"];
+  EXPECT_NEAR(blind["rms_mm_of_grown_arm"].get<double>(), 1.001 * blind["rms_mm"].get<double>(),
+              1e-9);
+  EXPECT_THAT(tool({"demo", "virtual"}).out, HasSubstr("armcal calibrate refuses the cone alone"));
 }
 
 }  // namespace

@@ -83,9 +83,11 @@ double with_point_moved(double value, int places) {
       .value_or(product);
 }
 
-std::string degrees_text(double radians) {
+namespace {
+
+// Shortest text, among the few doubles nearest to a converted angle, that converts back.
+std::string angle_text(double radians, double nearest, double (*radians_from)(double)) {
   if (radians == 0.0) return "0.0";  // of either sign
-  const double nearest = degrees_from_radians(radians);
   std::string best;
   double candidate = nearest;
   constexpr int kNeighbours = 4;
@@ -93,13 +95,23 @@ std::string degrees_text(double radians) {
     candidate = std::nextafter(candidate, -std::numeric_limits<double>::infinity());
   }
   for (int i = 0; i <= 2 * kNeighbours; ++i) {
-    if (radians_from_degrees(candidate) == radians) {
+    if (radians_from(candidate) == radians) {
       std::string text = shortest_text(candidate);
       if (best.empty() || text.size() < best.size()) best = std::move(text);
     }
     candidate = std::nextafter(candidate, std::numeric_limits<double>::infinity());
   }
   return best.empty() ? shortest_text(nearest) : best;
+}
+
+}  // namespace
+
+std::string degrees_text(double radians) {
+  return angle_text(radians, degrees_from_radians(radians), radians_from_degrees);
+}
+
+std::string arcseconds_text(double radians) {
+  return angle_text(radians, arcseconds_from_radians(radians), radians_from_arcseconds);
 }
 
 }  // namespace armcal

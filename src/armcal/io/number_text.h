@@ -30,5 +30,7 @@ namespace armcal {
 /// Shortest text in degrees that reads back, through radians_from_degrees, as the same double in
 /// radians. For the few radians that no double in degrees maps to, the nearest (2e-16 relative).
 [[nodiscard]] std::string degrees_text(double radians);
+/// The same in seconds of arc, through radians_from_arcseconds.
+[[nodiscard]] std::string arcseconds_text(double radians);
 
 }  // namespace armcal

@@ -64,6 +64,12 @@ TEST(DegreesText, GivesBackWhatAPersonTyped) {
   }
 }
 
+TEST(ArcsecondsText, GivesBackWhatAPersonTyped) {
+  for (const double arcseconds : {2.0, 1.5, 0.1, 20.0, 0.0}) {
+    EXPECT_EQ(arcseconds_text(radians_from_arcseconds(arcseconds)), shortest_text(arcseconds));
+  }
+}
+
 RC_GTEST_PROP(DegreesText, ReadsBackAsTheSameRadians, (std::int64_t whole)) {
   const double x = static_cast<double>(whole) * 0x1.0p-63 * 720.0;
   const double from_degrees = radians_from_degrees(x);

@@ -86,6 +86,7 @@ class GroupWriter {
     entry.name = group_.name;
     entry.kind = group_.kind;
     entry.file = group_.file.empty() ? group_.name + ".csv" : group_.file;
+    entry.u_encoder_rad = group_.u_encoder_rad;
     entry.radius_mm = group_.radius_mm;
     entry.tip_radius_mm = group_.tip_radius_mm;
     entry.lever_mm = group_.lever_mm;

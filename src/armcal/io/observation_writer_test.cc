@@ -72,6 +72,7 @@ void expect_same(const ObservationGroup& group, const ObservationGroup& back) {
   EXPECT_EQ(group.radius_mm, back.radius_mm);
   EXPECT_EQ(group.tip_radius_mm, back.tip_radius_mm);
   EXPECT_EQ(group.lever_mm, back.lever_mm);
+  EXPECT_EQ(group.u_encoder_rad, back.u_encoder_rad);
   EXPECT_EQ(group.offset_mm, back.offset_mm);
   EXPECT_EQ(group.target, back.target);
   expect_near(group.u_mm, back.u_mm, 1e-6);
@@ -130,6 +131,7 @@ TEST(GroupTexts, KeepWhatAllRowsShareInTheEntry) {
   group.is_check.assign(group.is_check.size(), true);
   group.offset_mm = {1.0, -2.5, 0.0};
   group.target = "reflector";
+  group.u_encoder_rad = 1e-5;
   const GroupTexts texts = group_texts(group);
   EXPECT_EQ(texts.entry.set, "check");
   EXPECT_EQ(texts.entry.u_mm, 0.01);

@@ -10,7 +10,6 @@
 
 #include "armcal/core/spelling.h"
 #include "armcal/core/units.h"
-#include "armcal/io/path_reference.h"
 #include "armcal/io/toml_value.h"
 
 namespace armcal {
@@ -49,7 +48,7 @@ void read_kind_keys(TomlSection& section, SessionGroup& group, Diagnostics& diag
   switch (group.kind) {
     case ReferenceKind::artefact:
       if (const auto artefact = section.required_text("artefact")) {
-        group.artefact_file = resolved_path(group.where.file, *artefact);
+        group.artefact_file = path_beside(group.where.file, *artefact);
       }
       break;
     case ReferenceKind::length:
@@ -105,7 +104,7 @@ SessionGroup read_group(TomlSection section, const std::string& path,
     }
     group.kind = known.value_or(group.kind);
   }
-  if (const auto file = section.text("file")) group.file = resolved_path(path, *file);
+  if (const auto file = section.text("file")) group.file = path_beside(path, *file);
   const bool in_place = group.kind == ReferenceKind::length && section.has("length_mm");
   if (group.file.empty() && !in_place) {
     diagnostics.error(section.where(), "file is missing here",
@@ -247,7 +246,7 @@ std::optional<Session> read_session_file(const TextFile& file, Diagnostics& diag
   session.file = file.path;
   session.name = root.text("name").value_or("");
   static_cast<void>(root.text("note"));
-  if (const auto arm = root.required_text("arm")) session.arm_file = resolved_path(file.path, *arm);
+  if (const auto arm = root.required_text("arm")) session.arm_file = path_beside(file.path, *arm);
   const SessionDefaults defaults{angle_unit_of(root, diagnostics),
                                  u_encoder_of(root, diagnostics).value_or(0.0)};
   for (TomlSection& section : root.sections("observations")) {

@@ -5,12 +5,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <vector>
 
 #include "armcal/io/number_text.h"
-#include "armcal/io/path_reference.h"
+#include "armcal/io/text_file.h"
 #include "armcal/io/toml_text.h"
 #include "armcal/io/toml_value.h"
 
@@ -50,17 +51,29 @@ std::string kind_text(const SessionGroup& group) {
   }
 }
 
-std::string group_text(const SessionGroup& group, const std::string& session_file) {
+std::string u_encoder_text(double u_rad) {
+  return u_rad > 0.0 ? fmt::format("u_encoder_arcsec = {}\n", arcseconds_text(u_rad)) : "";
+}
+
+bool all_encoders_alike(const std::vector<SessionGroup>& groups) {
+  return std::all_of(groups.begin(), groups.end(), [&](const SessionGroup& group) {
+    return group.u_encoder_rad == groups.front().u_encoder_rad;
+  });
+}
+
+std::string group_text(const SessionGroup& group, const std::string& session_file,
+                       bool with_encoders) {
   const bool is_called_like_its_file =
       !group.file.empty() && std::filesystem::path(group.file).stem() == group.name;
   std::string text = fmt::format("\n[[observations]]\nkind = \"{}\"\n", to_string(group.kind));
   if (!is_called_like_its_file) text += entry("name", group.name);
-  if (!group.file.empty()) text += entry("file", relative_path(session_file, group.file));
+  if (!group.file.empty()) text += entry("file", path_to_write(session_file, group.file));
   if (!group.artefact_file.empty()) {
-    text += entry("artefact", relative_path(session_file, group.artefact_file));
+    text += entry("artefact", path_to_write(session_file, group.artefact_file));
   }
   if (const char* key = place_key(group.kind)) text += entry(key, group.place);
   text += kind_text(group) + entry("u_mm", group.u_mm) + entry("set", group.set);
+  if (with_encoders) text += u_encoder_text(group.u_encoder_rad);
   if (!group.offset_mm.isZero(0.0)) {
     text += fmt::format("offset_mm = [{}, {}, {}]\n", shortest_text(group.offset_mm.x()),
                         shortest_text(group.offset_mm.y()), shortest_text(group.offset_mm.z()));
@@ -113,8 +126,14 @@ std::string estimate_text(const SessionEstimate& estimate) {
 std::string session_text(const Session& session, const std::string& note) {
   std::string text = "schema = \"armcal.session/1\"\n";
   text += entry("name", session.name) + entry("note", note) +
-          entry("arm", relative_path(session.file, session.arm_file));
-  for (const SessionGroup& group : session.groups) text += group_text(group, session.file);
+          entry("arm", path_to_write(session.file, session.arm_file));
+  const bool alike = all_encoders_alike(session.groups);
+  if (alike && !session.groups.empty()) {
+    text += u_encoder_text(session.groups.front().u_encoder_rad);
+  }
+  for (const SessionGroup& group : session.groups) {
+    text += group_text(group, session.file, !alike);
+  }
   return text + estimate_text(session.estimate);
 }
 

@@ -27,6 +27,7 @@ void expect_same(const SessionGroup& one, const SessionGroup& other) {
   EXPECT_EQ(one.file, other.file);
   EXPECT_EQ(one.artefact_file, other.artefact_file);
   EXPECT_EQ(one.u_mm, other.u_mm);
+  EXPECT_EQ(one.u_encoder_rad, other.u_encoder_rad);
   EXPECT_EQ(one.set, other.set);
   EXPECT_EQ(one.place, other.place);
   EXPECT_EQ(one.place_to, other.place_to);
@@ -66,6 +67,7 @@ void expect_same(const Session& one, const Session& other) {
 constexpr const char* kEverything = R"(schema = "armcal.session/1"
 name = "a \"name\""
 arm = "../nominal.arm.toml"
+u_encoder_arcsec = 1.5
 [[observations]]
 kind = "reference_points"
 file = "points/cmm.csv"
@@ -113,6 +115,7 @@ tip_diameter_mm = 3
 inside = true
 [[observations]]
 kind = "plane"
+u_encoder_arcsec = 2
 file = "plane.csv"
 plane = "table"
 [estimate]
@@ -140,6 +143,14 @@ TEST(SessionText, ReadsBackForTheExamples) {
     const Session session = read(path.string(), testing::read_bytes(path));
     expect_same(session, read(path.string(), session_text(session)));
   }
+}
+
+TEST(SessionText, SaysOnceWhatAllEncodersShare) {
+  Session session = read("s.session.toml", kEverything);
+  for (SessionGroup& group : session.groups) group.u_encoder_rad = 1e-5;
+  const std::string text = session_text(session);
+  EXPECT_EQ(text.find("u_encoder_arcsec"), text.rfind("u_encoder_arcsec"));
+  expect_same(session, read("s.session.toml", text));
 }
 
 TEST(SessionText, SaysNothingThatIsSoAnyway) {

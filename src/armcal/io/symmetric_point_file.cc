@@ -12,7 +12,6 @@
 #include "armcal/arm/parameter_table.h"
 #include "armcal/core/spelling.h"
 #include "armcal/core/units.h"
-#include "armcal/io/path_reference.h"
 #include "armcal/io/plausibility.h"
 #include "armcal/io/toml_value.h"
 
@@ -106,7 +105,7 @@ SymmetricReading read_reading(TomlSection section, const std::string& path, std:
   const auto file = section.text("file");
   if (kind && file) {
     reading.raw = RawSymmetricPoints{};
-    reading.raw->file = resolved_path(path, *file);
+    reading.raw->file = path_beside(path, *file);
     reading.u = section.number("u_mm").value_or(0.0);
     if (reading.u < 0.0) diagnostics.error(section.where("u_mm"), "u_mm must not be negative");
   } else if (kind) {
@@ -232,8 +231,7 @@ std::optional<SymmetricPointProcedure> read_symmetric_point_file(const TextFile&
   procedure.file = file.path;
   static_cast<void>(root.text("name"));
   static_cast<void>(root.text("note"));
-  if (const auto arm = root.required_text("arm"))
-    procedure.arm_file = resolved_path(file.path, *arm);
+  if (const auto arm = root.required_text("arm")) procedure.arm_file = path_beside(file.path, *arm);
   const auto u_mm = root.number("u_mm");
   if (u_mm && !(*u_mm > 0.0)) diagnostics.error(root.where("u_mm"), "u_mm must be larger than 0");
   if (const auto u = root.number("u_encoder_arcsec")) {

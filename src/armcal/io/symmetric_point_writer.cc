@@ -14,7 +14,7 @@
 #include "armcal/core/units.h"
 #include "armcal/io/csv_text.h"
 #include "armcal/io/number_text.h"
-#include "armcal/io/path_reference.h"
+#include "armcal/io/text_file.h"
 #include "armcal/io/toml_text.h"
 #include "armcal/io/toml_value.h"
 
@@ -77,7 +77,7 @@ std::string reading_text(const SymmetricReading& reading, const std::string& pro
   text += turn_text(reading);
   if (!reading.reduced) {
     text +=
-        fmt::format("file = {}\n", toml_quoted(relative_path(procedure_file, reading.raw->file)));
+        fmt::format("file = {}\n", toml_quoted(path_to_write(procedure_file, reading.raw->file)));
     if (reading.u > 0.0) text += fmt::format("u_mm = {}\n", shortest_text(reading.u));
   } else {
     text += value_text(reading);
@@ -136,9 +136,9 @@ void name_point_files(SymmetricPointProcedure& procedure) {
     if (!reading.raw) reading.raw = RawSymmetricPoints{};
     if (!reading.raw->file.empty()) continue;
     const std::string stem = file_stem(reading.name);
-    std::string file = resolved_path(procedure.file, stem + ".csv");
+    std::string file = path_beside(procedure.file, stem + ".csv");
     for (int number = 2; !taken.insert(file).second; ++number) {
-      file = resolved_path(procedure.file, fmt::format("{}-{}.csv", stem, number));
+      file = path_beside(procedure.file, fmt::format("{}-{}.csv", stem, number));
     }
     reading.raw->file = file;
   }
@@ -151,7 +151,7 @@ std::string symmetric_point_text(const SymmetricPointProcedure& procedure, const
   std::string text = "schema = \"armcal.symmetric/1\"\n";
   if (!name.empty()) text += fmt::format("name = {}\n", toml_quoted(name));
   if (!note.empty()) text += fmt::format("note = {}\n", toml_quoted(note));
-  text += fmt::format("arm = {}\n", toml_quoted(relative_path(named.file, named.arm_file)));
+  text += fmt::format("arm = {}\n", toml_quoted(path_to_write(named.file, named.arm_file)));
   if (named.u_encoder_rad > 0.0) {
     text += fmt::format("u_encoder_arcsec = {}\n",
                         decimal_text(arcseconds_from_radians(named.u_encoder_rad), 9));

@@ -52,6 +52,20 @@ std::string read_bytes(std::FILE* file, const std::string& path, std::uint64_t l
 
 }  // namespace
 
+std::string path_beside(const std::string& file, const std::string& path) {
+  if (path == "-" || std::filesystem::path(path).is_absolute()) return path;
+  return (std::filesystem::path(file).parent_path() / path).lexically_normal().string();
+}
+
+std::string path_to_write(const std::string& file, const std::string& path) {
+  const auto folder = std::filesystem::path(file).parent_path();
+  if (path == "-" || std::filesystem::path(path).is_absolute() || folder.empty()) return path;
+  // Empty where only one of the two is absolute, or where the way leads through an unknown "..".
+  const auto relative = std::filesystem::path(path).lexically_relative(folder);
+  return relative.empty() ? std::filesystem::absolute(path).lexically_normal().string()
+                          : relative.string();
+}
+
 std::optional<TextFile> read_text_file(const std::string& path, std::uint64_t largest_bytes,
                                        Diagnostics& diagnostics, const Monitor& monitor) {
   const SourcePosition where{path == "-" ? "standard input" : path, 0, 0};

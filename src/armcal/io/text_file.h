@@ -24,6 +24,14 @@ struct TextFile {
 inline constexpr std::uint64_t kLargestTable_bytes = std::uint64_t{1} << 32;
 inline constexpr std::uint64_t kLargestConfiguration_bytes = std::uint64_t{4} << 20;
 
+/// A path that a file names, as seen from where the program runs: relative ones start beside that
+/// file; "-" stays.
+[[nodiscard]] std::string path_beside(const std::string& file, const std::string& path);
+
+/// What to write in `file` so that it names `path`: `path_beside` leads back to it. Absolute where
+/// the way from one to the other is unknown.
+[[nodiscard]] std::string path_to_write(const std::string& file, const std::string& path);
+
 /// Reads a whole file, or standard input for "-". What the user can mend goes to `diagnostics` (no
 /// such file, a folder, empty, too large, not text) and nothing is returned. @throws FileError
 /// where the device fails.

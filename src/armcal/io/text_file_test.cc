@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 #include "armcal/testing/temporary_folder.h"
 
 namespace armcal {
@@ -56,6 +58,29 @@ TEST(TextFile, ReportsProgressOfALargeFileAndCanBeStopped) {
   EXPECT_THROW(static_cast<void>(read_text_file(path, kLargestTable_bytes, diagnostics, monitor)),
                Interrupted);
   EXPECT_GT(last, 0.5);
+}
+
+TEST(PathBeside, StartsInTheFolderOfTheFileThatNamesIt) {
+  EXPECT_EQ(path_beside("folder/a.session.toml", "../arms/b.arm.toml"), "arms/b.arm.toml");
+  EXPECT_EQ(path_beside("a.session.toml", "b.csv"), "b.csv");
+  EXPECT_EQ(path_beside("folder/a.session.toml", "/b.csv"), "/b.csv");
+  EXPECT_EQ(path_beside("folder/a.session.toml", "-"), "-");
+}
+
+TEST(PathBeside, LeadsBackToThePathThatItWasMadeFrom) {
+  for (const char* file : {"a.toml", "one/a.toml", "one/two/a.toml", "../a.toml"}) {
+    for (const char* path : {"b.csv", "one/b.csv", "three/b.csv", "/tmp/b.csv", "-"}) {
+      const std::string written = path_to_write(file, path);
+      if (std::string(file) == "../a.toml" && written[0] == '/') continue;  // see below
+      EXPECT_EQ(path_beside(file, written), path) << file;
+    }
+  }
+}
+
+TEST(PathBeside, IsAbsoluteWhereTheWayBackIsUnknown) {
+  const std::string here = std::filesystem::current_path().string();
+  EXPECT_EQ(path_to_write("/tmp/a.toml", "b.csv"), here + "/b.csv");
+  EXPECT_EQ(path_to_write("../a.toml", "b.csv"), here + "/b.csv");
 }
 
 }  // namespace

@@ -14,42 +14,6 @@
 namespace armcal {
 namespace {
 
-CalibrationOptions options_of(const SessionEstimate& estimate) {
-  CalibrationOptions options;
-  options.hold = estimate.hold;
-  options.harmonics = estimate.harmonics;
-  options.prior_length_mm = estimate.prior_length_mm;
-  options.prior_zero_rad = estimate.prior_zero_rad;
-  options.prior_twist_rad = estimate.prior_twist_rad;
-  options.prior_harmonic_rad = estimate.prior_harmonic_rad;
-  options.prior_of = estimate.prior_of;
-  if (estimate.loss == "huber") options.loss = RobustLoss::huber;
-  if (estimate.loss == "cauchy") options.loss = RobustLoss::cauchy;
-  return options;
-}
-
-// Names that the session speaks of must be parameters of the arm.
-void check_names(const Session& session, const ArmModel& arm, Diagnostics& diagnostics) {
-  ArmModel with_harmonics = arm;
-  for (Joint& joint : with_harmonics.joints) {
-    joint.harmonics.resize(
-        std::max(joint.harmonics.size(), static_cast<std::size_t>(session.estimate.harmonics)));
-  }
-  const ParameterTable table(with_harmonics);
-  for (const std::string& pattern : session.estimate.hold) {
-    if (!table.matching(pattern).empty()) continue;
-    diagnostics.error({session.file, 0, 0},
-                      fmt::format("hold: no parameter matches \"{}\"", pattern),
-                      did_you_mean(pattern, table.names()));
-  }
-  for (const auto& [name, u] : session.estimate.prior_of) {
-    if (table.find(name)) continue;
-    diagnostics.error({session.file, 0, 0},
-                      fmt::format("prior: no parameter is called \"{}\"", name),
-                      did_you_mean(name, table.names()));
-  }
-}
-
 // Joints that stand still leave their zeros, and more, to chance.
 void check_movement(const std::vector<ObservationGroup>& groups, const Session& session,
                     int joint_count, Diagnostics& diagnostics) {
@@ -80,6 +44,40 @@ void check_movement(const std::vector<ObservationGroup>& groups, const Session& 
 
 }  // namespace
 
+CalibrationOptions calibration_options(const SessionEstimate& estimate) {
+  CalibrationOptions options;
+  options.hold = estimate.hold;
+  options.harmonics = estimate.harmonics;
+  options.prior_length_mm = estimate.prior_length_mm;
+  options.prior_zero_rad = estimate.prior_zero_rad;
+  options.prior_twist_rad = estimate.prior_twist_rad;
+  options.prior_harmonic_rad = estimate.prior_harmonic_rad;
+  options.prior_of = estimate.prior_of;
+  if (estimate.loss == "huber") options.loss = RobustLoss::huber;
+  if (estimate.loss == "cauchy") options.loss = RobustLoss::cauchy;
+  return options;
+}
+
+void check_estimate(const SessionEstimate& estimate, const std::string& file, const ArmModel& arm,
+                    Diagnostics& diagnostics) {
+  ArmModel with_harmonics = arm;
+  for (Joint& joint : with_harmonics.joints) {
+    joint.harmonics.resize(
+        std::max(joint.harmonics.size(), static_cast<std::size_t>(estimate.harmonics)));
+  }
+  const ParameterTable table(with_harmonics);
+  for (const std::string& pattern : estimate.hold) {
+    if (!table.matching(pattern).empty()) continue;
+    diagnostics.error({file, 0, 0}, fmt::format("hold: no parameter matches \"{}\"", pattern),
+                      did_you_mean(pattern, table.names()));
+  }
+  for (const auto& [name, u] : estimate.prior_of) {
+    if (table.find(name)) continue;
+    diagnostics.error({file, 0, 0}, fmt::format("prior: no parameter is called \"{}\"", name),
+                      did_you_mean(name, table.names()));
+  }
+}
+
 LoadedSession load_session(InputFiles& files, const std::string& path) {
   const auto text = files.text(path, kLargestConfiguration_bytes);
   files.require_good();
@@ -87,7 +85,7 @@ LoadedSession load_session(InputFiles& files, const std::string& path) {
   files.require_good();
   const auto arm = files.arm(session->arm_file);
   files.require_good();
-  check_names(*session, *arm, files.diagnostics());
+  check_estimate(session->estimate, path, *arm, files.diagnostics());
   LoadedSession loaded{std::move(*session), *arm, {}, {}};
   for (const SessionGroup& group : loaded.session.groups) {
     const auto table = group.file.empty() ? std::nullopt : files.table(group.file, group.table);
@@ -105,7 +103,7 @@ LoadedSession load_session(InputFiles& files, const std::string& path) {
   files.require_good();
   hold_out(loaded.groups, loaded.session.estimate.check_fraction,
            loaded.session.estimate.check_seed);
-  loaded.options = options_of(loaded.session.estimate);
+  loaded.options = calibration_options(loaded.session.estimate);
   loaded.options.monitor = files.monitor();
   return loaded;
 }

@@ -19,6 +19,14 @@ struct LoadedSession {
   CalibrationOptions options;
 };
 
+/// What a table [estimate] asks for.
+[[nodiscard]] CalibrationOptions calibration_options(const SessionEstimate& estimate);
+
+/// Complains of names in an [estimate] that are no parameters of the arm. @param file  that it is
+/// in
+void check_estimate(const SessionEstimate& estimate, const std::string& file, const ArmModel& arm,
+                    Diagnostics& diagnostics);
+
 /// Reads a session (*.session.toml), its arm and its tables; holds out the rows that it wants
 /// checked.
 /// @throws InputError with every problem of all files
