@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: the armcal authors
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -30,32 +29,37 @@ struct Flags {
 };
 
 /// @throws std::invalid_argument for "--repeats 2.5"
-std::uint64_t whole_number(const std::string& flag, const std::optional<double>& typed,
-                           std::uint64_t otherwise) {
+int whole_number(const std::string& flag, const std::optional<double>& typed, int otherwise) {
   if (!typed) return otherwise;
-  constexpr double kLargest = 1e15;
+  constexpr double kLargest = 1e6;
   if (*typed != std::floor(*typed) || *typed > kLargest) {
-    throw std::invalid_argument(fmt::format("{} {}: must be a whole number", flag, *typed));
+    throw std::invalid_argument(
+        fmt::format("{} {}: must be a whole number of at most {}", flag, *typed, kLargest));
   }
-  return static_cast<std::uint64_t>(*typed);
+  return static_cast<int>(*typed);
 }
 
 int threads_of(const Flags& flags) {
   const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
-  return static_cast<int>(whole_number("--threads", flags.threads, cores));
+  return whole_number("--threads", flags.threads, static_cast<int>(cores));
+}
+
+std::uint64_t seed_of(const Flags& flags) {
+  return static_cast<std::uint64_t>(whole_number("--seed", flags.seed, 1));
 }
 
 void emit(const Flags& flags, const Context& context, InputFiles& files, const auto& comparison) {
   if (flags.markdown) context.save(*flags.markdown, markdown_result(comparison), files.records());
-  context.emit(files.records(), files.diagnostics(), json_result(comparison),
-               text_result(comparison));
+  Json json = json_result(comparison);
+  json["seed"] = seed_of(flags);
+  context.emit(files.records(), files.diagnostics(), json, text_result(comparison));
 }
 
 int run_scenario(const Flags& flags, const Context& context) {
   ComparisonOptions options;
   if (!flags.methods.empty()) options.methods = flags.methods;
-  options.seed = whole_number("--seed", flags.seed, options.seed);
-  options.repeats = static_cast<int>(whole_number("--repeats", flags.repeats, 1));
+  options.seed = seed_of(flags);
+  options.repeats = whole_number("--repeats", flags.repeats, options.repeats);
   options.threads = threads_of(flags);
   options.monitor = context.monitor;
   const std::string name = flags.scenario.value_or(scenario_names().front());
@@ -71,7 +75,7 @@ int run_session(const Flags& flags, const Context& context) {
   }
   SessionComparisonOptions options;
   if (!flags.methods.empty()) options.methods = flags.methods;
-  options.seed = whole_number("--seed", flags.seed, options.seed);
+  options.seed = seed_of(flags);
   options.threads = threads_of(flags);
   options.monitor = context.monitor;
   InputFiles files(context.monitor);
@@ -84,8 +88,8 @@ int run_paper_sphere(const Flags& flags, const Context& context) {
     throw std::invalid_argument("--paper-sphere has its own arm and method");
   }
   PaperSphereOptions options;
-  options.arms = static_cast<int>(whole_number("--repeats", flags.repeats, 400));
-  options.seed = whole_number("--seed", flags.seed, options.seed);
+  options.arms = whole_number("--repeats", flags.repeats, options.arms);
+  options.seed = seed_of(flags);
   options.threads = threads_of(flags);
   options.monitor = context.monitor;
   InputFiles no_files;
@@ -106,7 +110,13 @@ Command compare_command() {
   Command command;
   command.name = "compare";
   command.brief = "every method on the same arm, one table";
-  command.description = "Draws an arm with errors of known size.";
+  command.description =
+      "Draws an arm with errors of known size and calibrates it by every published method that "
+      "armcal knows, each with\n"
+      "about the same number of readings and references of the same quality; judges all of them on "
+      "postures that none has\n"
+      "seen. With a SESSION: the methods that need no readings of their own, on these readings, "
+      "judged on rows held out.";
   command.arguments = {
       {"SESSION", "session file (*.session.toml); without one, an arm is drawn", &flags->session},
       {"--scenario", "the arm and its errors; romer if not given", &flags->scenario, "NAME", false,
@@ -138,7 +148,10 @@ Command compare_command() {
        "instead: which effect that the 2016 paper neglects explains the error of its sphere",
        &flags->paper_sphere},
       {"--markdown", "write the table here, for a page", &flags->markdown, "FILE"}};
-  command.examples = {"armcal compare --methods cmm"};
+  command.examples = {
+      "armcal compare --scenario romer --methods cmm --methods paper-*",
+      "armcal compare examples/calibration/tracker.session.toml --methods least-squares*",
+      "armcal compare --paper-sphere --repeats 5"};
   command.run = [flags](const Context& context) { return run_compare(*flags, context); };
   return command;
 }

@@ -53,11 +53,13 @@ TEST(ComparingMethods, WithoutNoiseFindTheArmOrShowWhatTheyAreBlindTo) {
       scenario,
       {.methods = {"nominal", "cmm", "cone", "cone-and-length", "paper-*", "half-turns-40",
                    "sphere-plate", "straight-lines", "platform", "circle-points"}});
-  for (const char* name : {"cmm", "half-turns-40", "sphere-plate", "straight-lines", "platform"}) {
+  for (const char* name : {"cmm", "half-turns-40", "sphere-plate", "straight-lines"}) {
     EXPECT_LT(row(comparison, name).score.point_max_mm, 1e-6) << name;
   }
-  // Calibrated lengths of the bench are not exact (1 um on 500 mm).
+  // Calibrated lengths of the bench (1 um) and the indices of the platform (0.5 arcsec) are not
+  // exact.
   EXPECT_LT(row(comparison, "cone-and-length").score.length_rms_mm, 0.01);
+  EXPECT_LT(row(comparison, "platform").score.length_rms_mm, 0.005);
   EXPECT_LT(row(comparison, "circle-points").score.point_max_mm, 1e-5);
   const double blind = row(comparison, "cone").score.length_rms_mm;
   EXPECT_GT(blind, 0.02);

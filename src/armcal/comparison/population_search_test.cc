@@ -129,7 +129,7 @@ TEST_P(EveryPopulationMethod, NeverFallsBelowLeastSquaresAndImprovesOnTheStart) 
   }
   const PopulationSearch found =
       search_population(GetParam(), [&](const Eigen::VectorXd& x) { return objective(x); },
-                        objective.start(), widths, {.evaluations = 3000});
+                        objective.start(), widths, {.evaluations = 8000});
   EXPECT_GE(found.objective, least.chi_squared * (1.0 - 1e-9));
   EXPECT_LT(found.objective, 0.9 * found.objective_at_start);
 }

@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: the armcal authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "armcal/cli/command.h"
+#include "armcal/testing/reference_data.h"
+#include "armcal/testing/temporary_folder.h"
+#include "armcal/testing/tool.h"
+
+namespace armcal::cli {
+namespace {
+
+using testing::example;
+using ::testing::HasSubstr;
+using testing::tool;
+
+TEST(CompareCommand, PrintsARowForEachChosenMethod) {
+  const auto result = tool({"compare", "--methods", "cmm", "--methods", "paper-*"});
+  ASSERT_EQ(result.code, kDone) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("least squares, reference CMM"));
+  EXPECT_THAT(result.out, HasSubstr("symmetric points, as printed"));
+  EXPECT_EQ(result.out.find("tracker"), std::string::npos);
+}
+
+TEST(CompareCommand, TakesSeedRepeatsAndScenario) {
+  const auto result = tool({"compare", "--methods", "cmm", "--seed", "4", "--repeats", "2",
+                            "--scenario", "seven-joint", "--json"});
+  ASSERT_EQ(result.code, kDone) << result.err;
+  const Json json = result.json();
+  EXPECT_EQ(json["seed"], 4);
+  EXPECT_EQ(json["repeats"], 2);
+  EXPECT_EQ(json["scenario"], "seven-joint");
+  EXPECT_EQ(json["methods"][0]["arms"], 2);
+}
+
+TEST(CompareCommand, GivesTheSameDigitsOnOneAndTwoThreads) {
+  const auto digits = [](const std::string& threads) {
+    Json json = tool({"compare", "--methods", "c*", "--json", "--threads", threads}).json();
+    for (Json& method : json["methods"]) method.erase("seconds");
+    return json.dump();
+  };
+  EXPECT_EQ(digits("1"), digits("2"));
+}
+
+TEST(CompareCommand, WritesTheTableForAPageAndDoesNotOverwriteIt) {
+  const testing::TemporaryFolder folder;
+  const std::string page = folder.path("table.md");
+  ASSERT_EQ(tool({"compare", "--methods", "cmm", "--markdown", page}).code, kDone);
+  EXPECT_THAT(testing::read_bytes(page), HasSubstr("| method | readings | rms mm |"));
+  EXPECT_EQ(tool({"compare", "--methods", "cmm", "--markdown", page}).code, kWrongInput);
+}
+
+TEST(CompareCommand, JudgesMethodsOnTheRowsThatASessionHoldsOut) {
+  const auto result = tool({"compare", example("calibration/tracker.session.toml"), "--methods",
+                            "least-squares*", "--methods", "nominal", "--json"});
+  ASSERT_EQ(result.code, kDone) << result.err;
+  const Json json = result.json();
+  EXPECT_EQ(json["held_out"], 18);
+  ASSERT_EQ(json["methods"].size(), 6u);
+  const double nominal = json["methods"][0]["held_out"]["rms_mm"];
+  const double geometry = json["methods"][1]["held_out"]["rms_mm"];
+  EXPECT_LT(50.0 * geometry, nominal);
+  EXPECT_GT(json["methods"][5]["condition_number"].get<double>(), 1e12);
+  EXPECT_EQ(json["inputs"].size(), 3u);
+}
+
+TEST(CompareCommand, SplitsASessionThatHoldsNothingOut) {
+  const auto result =
+      tool({"compare", example("calibration/seats.session.toml"), "--methods", "least-squares"});
+  ASSERT_EQ(result.code, kDone) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("43 held out (here: the session holds nothing out)"));
+}
+
+TEST(CompareCommand, RefusesWhatDoesNotGoTogether) {
+  const std::string session = example("calibration/tracker.session.toml");
+  EXPECT_THAT(tool({"compare", session, "--scenario", "romer"}).err,
+              HasSubstr("--scenario is for drawn arms"));
+  EXPECT_EQ(tool({"compare", session, "--repeats", "2"}).code, kWrongInput);
+  EXPECT_EQ(tool({"compare", session, "--paper-sphere"}).code, kWrongInput);
+  EXPECT_THAT(tool({"compare", "--repeats", "2.5"}).err, HasSubstr("must be a whole number"));
+  EXPECT_EQ(tool({"compare", "--scenario", "nobody"}).code, kWrongInput);
+  const auto misspelt = tool({"compare", "--methods", "trackr"});
+  EXPECT_EQ(misspelt.code, kWrongInput);
+  EXPECT_THAT(misspelt.err, HasSubstr("did you mean \"tracker\"?"));
+}
+
+TEST(CompareCommand, StudiesThePapersSphere) {
+  const auto result = tool({"compare", "--paper-sphere", "--repeats", "2", "--json"});
+  ASSERT_EQ(result.code, kDone) << result.err;
+  EXPECT_EQ(result.json()["diameter_mm"], 15.8754);
+  EXPECT_EQ(result.json()["effects"].size(), 11u);
+}
+
+}  // namespace
+}  // namespace armcal::cli
