@@ -174,7 +174,8 @@ TakenReading Laboratory::take_with_tip_at(const Eigen::Vector3d& point_mm,
     throw Impossible(fmt::format("the tip cannot be held on {} at {} near the posture given", what,
                                  in_words(point_mm)));
   }
-  return {arm_.shown(*posture, chance_.encoders), point_mm + off, off, arm_.base_from_last_joint(*posture, now)};
+  return {arm_.shown(*posture, chance_.encoders), point_mm + off, off,
+          arm_.base_from_last_joint(*posture, now)};
 }
 
 }  // namespace armcal

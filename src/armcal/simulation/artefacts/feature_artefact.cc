@@ -54,10 +54,9 @@ ObservationGroup measure(Laboratory& laboratory, const FeatureArtefact& artefact
                                                : place_within_reach(laboratory, solid);
     directions.emplace_back(base_from_solid.rotation.col(0));
     for (const Feature& feature : solid.features) {
-      group.encoder_rad.middleCols(row, artefact.postures) =
-          take_in_seat(laboratory, placed(base_from_solid, feature),
-                       fmt::format("{}: {}", solid.name, feature.name), artefact.postures,
-                       artefact.u_mm);
+      group.encoder_rad.middleCols(row, artefact.postures) = take_in_seat(
+          laboratory, placed(base_from_solid, feature),
+          fmt::format("{}: {}", solid.name, feature.name), artefact.postures, artefact.u_mm);
       for (int i = 0; i < artefact.postures; ++i, ++row) {
         group.reference_mm.col(row) = feature.at_mm;
         group.feature.push_back(feature.name);
