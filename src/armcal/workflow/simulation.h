@@ -39,7 +39,7 @@ struct Simulation {
   std::optional<ObservationGroup> check;
   std::vector<SimulatedProcedure> procedures;
   /// What the noise of the encoders alone makes of a tip position: root of the mean square, over
-  /// postures. theory of propagation, first order.
+  /// postures, to first order.
   double floor_mm = 0.0;
   /// How far the tips of the drawing are from the true ones, after the best rigid registration of
   /// the same postures.

@@ -47,8 +47,8 @@ std::string text_result(const Simulation& simulation, const SimulationFiles& fil
                         const SimulationScenario& scenario, const std::string& folder) {
   constexpr int kDecimals = 4;
   std::string text = fmt::format(
-      "{}\n  seed {}\n  the drawing misses true tips by {} mm rms\n  the noise of the encoders "
-      "alone moves a tip by {} mm rms: no calibration shows less\n\n{}\nWritten to {}\n",
+      "{}\n  seed {}\n  the drawing misses true tips by {} mm rms\n  floor: the noise of the "
+      "encoders alone moves a tip by {} mm rms\n\n{}\nWritten to {}\n",
       scenario.name.empty() ? scenario.file : scenario.name, simulation.seed,
       fixed(simulation.drawing_error_mm, kDecimals), fixed(simulation.floor_mm, kDecimals),
       readings_text(simulation), folder);

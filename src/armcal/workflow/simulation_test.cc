@@ -131,7 +131,8 @@ TEST(Simulation, RefusesAProcedureThatJointLimitsExclude) {
       refusal(scenario_of(narrow_romer(), {SymmetricPoint{}, HalfTurns{.name = "turns"}}));
   EXPECT_THAT(text, HasSubstr("a.scenario.toml:10:1: error: reading \""));
   EXPECT_THAT(text, HasSubstr("limit"));
-  EXPECT_THAT(text, HasSubstr("a.scenario.toml:11:1: error: turns"));  // both are told
+  EXPECT_THAT(text,
+              HasSubstr("a.scenario.toml:11:1: error: no joint can be turned"));  // both are told
 }
 
 TEST(Simulation, RefusesTheProcedureOfAnotherArm) {
@@ -166,8 +167,8 @@ TEST(Simulation, RefusesToHoldWhatIsNotThere) {
 }
 
 TEST(Simulation, RefusesTwoMeasurementsThatWriteTheSameFile) {
-  const LoadedScenario loaded =
-      scenario_of(testing::nominal_romer(), {TwoSeats{}, ReferenceCmm{.name = "bar-length"}});
+  const LoadedScenario loaded = scenario_of(
+      testing::nominal_romer(), {TwoSeats{.placements = 2}, ReferenceCmm{.name = "bar-length"}});
   EXPECT_THROW(static_cast<void>(simulation_files(simulate(loaded, 1), loaded.scenario)),
                InputError);
 }

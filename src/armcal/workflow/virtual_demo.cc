@@ -159,9 +159,8 @@ std::string blindness_text(const Blindness& blindness, const Attempt& cone, cons
       "  - armcal calibrate refuses the cone alone: {}.\n"
       "  - By that calibration the tips in the cone scatter by {} mm rms; with every length larger "
       "by one in a thousand, by {} mm.\n"
-      "  - Told to go on, it holds one length as drawn and is wrong by {} um/m everywhere; with "
-      "the "
-      "bar it is {} um/m.\n",
+      "  - Told to go on, it holds one length as drawn: wrong by {} um/m everywhere, of which its "
+      "intervals know nothing.\n  - With the bar it is {} um/m.\n",
       blindness.refusal, fixed(blindness.rms_mm, 5), fixed(blindness.rms_grown_mm, 5),
       fixed(micrometres_per_metre(cone.truth.scale), 1),
       fixed(micrometres_per_metre(kit.truth.scale), 1));
