@@ -54,7 +54,6 @@ function(armcal_room name)
 
   if(ARMCAL_TESTS AND tests)
     add_executable(armcal_${name}_test ${tests})
-    set_target_properties(armcal_${name}_test PROPERTIES UNITY_BUILD OFF)
     target_precompile_headers(armcal_${name}_test REUSE_FROM armcal_test_headers)
     target_link_libraries(armcal_${name}_test PRIVATE
       armcal_${name} armcal_testing armcal_compiler rapidcheck rapidcheck_gtest GTest::gmock GTest::gtest_main)

@@ -17,19 +17,6 @@ namespace {
 // As in `wanted_order`.
 constexpr double kNearlyParallel_rad = radians_from_degrees(10.0);
 
-bool is_nearly_parallel(const Link& link) {
-  return std::abs(std::sin(link.alpha_rad)) < std::sin(kNearlyParallel_rad);
-}
-
-Eigen::Matrix3d turn_z(double angle_rad) {
-  return Eigen::AngleAxisd(angle_rad, Eigen::Vector3d::UnitZ()).toRotationMatrix();
-}
-
-Eigen::Matrix3d twist(const Link& link) {
-  return Eigen::AngleAxisd(link.alpha_rad, Eigen::Vector3d::UnitX()).toRotationMatrix() *
-         Eigen::AngleAxisd(link.beta_rad, Eigen::Vector3d::UnitY()).toRotationMatrix();
-}
-
 double angle_of(const Eigen::Vector3d& v) { return std::atan2(v.y(), v.x()); }
 
 // The same angle but for whole turns.
@@ -61,7 +48,7 @@ struct LinkTurn {
 std::optional<LinkTurn> turn_onto(const Eigen::Vector3d& axis, const Link& pattern,
                                   double pattern_rad) {
   if (is_nearly_parallel(pattern)) {  // eq. (16)
-    const Eigen::Vector3d turned = turn_z(-pattern_rad) * axis;
+    const Eigen::Vector3d turned = rotation_about_z(-pattern_rad) * axis;
     const double beta = std::atan2(turned.x(), std::hypot(turned.y(), turned.z()));
     const double alpha = std::atan2(-turned.y(), turned.z());
     return LinkTurn{pattern_rad, nearest_to(pattern.alpha_rad, alpha), beta};
@@ -87,11 +74,11 @@ std::optional<Eigen::Matrix3d> first_frame(const ArmModel& pattern, double angle
   if (is_nearly_parallel(link)) {
     const Eigen::Vector3d step = frame.transpose() * (origins[1] - origins[0]);
     const double wanted = std::atan2(link.b_mm, link.a_mm) + angle_rad;
-    return frame * turn_z(angle_of(step) - wanted);
+    return frame * rotation_about_z(angle_of(step) - wanted);
   }
   const auto turn = turn_onto(frame.transpose() * at.axes[1].direction, link, angle_rad);
   if (!turn) return std::nullopt;
-  return frame * turn_z(turn->angle_rad - angle_rad);
+  return frame * rotation_about_z(turn->angle_rad - angle_rad);
 }
 
 }  // namespace
@@ -133,13 +120,13 @@ std::optional<ArmFromAxes> arm_from_axes(const ArmModel& pattern, const AxesAtPo
     }
     link.alpha_rad = turn->alpha_rad;
     link.beta_rad = turn->beta_rad;
-    frame = frame * turn_z(turn->angle_rad);
+    frame = frame * rotation_about_z(turn->angle_rad);
     const Eigen::Vector3d step = frame.transpose() * (origins[i + 1] - origins[i]);
     link.a_mm = step.x();
     link.b_mm = step.y();
     frame = frame * twist(link);
   }
-  frame = frame * turn_z(pattern_angle(joints - 1));
+  frame = frame * rotation_about_z(pattern_angle(joints - 1));
   const Eigen::Vector3d tip = frame.transpose() * (at.tip_mm - origins.back());
   result.arm.tip.a_mm = tip.x();
   result.arm.tip.b_mm = tip.y();

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
 
 namespace armcal {
@@ -33,6 +34,16 @@ void check_joint(const Joint& joint, std::size_t number, std::vector<std::string
 }
 
 }  // namespace
+
+bool is_nearly_parallel(const Link& link) {
+  return std::abs(std::sin(link.alpha_rad)) < std::sin(kNearlyParallel_rad);
+}
+
+// As matrices: through quaternions 90 deg would lose its last digit.
+Eigen::Matrix3d twist(const Link& link) {
+  return Eigen::AngleAxisd(link.alpha_rad, Eigen::Vector3d::UnitX()).toRotationMatrix() *
+         Eigen::AngleAxisd(link.beta_rad, Eigen::Vector3d::UnitY()).toRotationMatrix();
+}
 
 std::vector<std::string> problems_of(const ArmModel& arm) {
   std::vector<std::string> problems;

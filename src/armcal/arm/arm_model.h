@@ -74,6 +74,12 @@ struct ArmModel {
   [[nodiscard]] int joint_count() const { return static_cast<int>(joints.size()); }
 };
 
+/// Do the axes at the ends of a link count as parallel?
+[[nodiscard]] bool is_nearly_parallel(const Link& link);
+
+/// RotX(alpha) RotY(beta): how the next axis is turned against the one before.
+[[nodiscard]] Eigen::Matrix3d twist(const Link& link);
+
 /// Everything that makes the model unusable, in words; empty when it is sound.
 [[nodiscard]] std::vector<std::string> problems_of(const ArmModel& arm);
 

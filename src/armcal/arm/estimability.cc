@@ -13,10 +13,6 @@
 namespace armcal {
 namespace {
 
-bool is_nearly_parallel(const Link& link) {
-  return std::abs(std::sin(link.alpha_rad)) < std::sin(kNearlyParallel_rad);
-}
-
 // 0 is wanted most.
 int rank_of_wish(const ArmModel& arm, const Parameter& parameter) {
   using Kind = ParameterKind;

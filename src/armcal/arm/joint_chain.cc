@@ -24,17 +24,6 @@ double angle_without_rounding(double rad) { return std::abs(rad) < kRoundingAngl
 
 double length_without_rounding(double mm) { return std::abs(mm) < kRoundingLength_mm ? 0.0 : mm; }
 
-Eigen::Matrix3d turn_z(double angle) {
-  return angle == 0.0 ? Eigen::Matrix3d::Identity()
-                      : Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()).toRotationMatrix();
-}
-
-// RotX(alpha) RotY(beta), as matrices: through quaternions 90 deg would lose its last digit.
-Eigen::Matrix3d twist(const Link& link) {
-  return Eigen::AngleAxisd(link.alpha_rad, Eigen::Vector3d::UnitX()).toRotationMatrix() *
-         Eigen::AngleAxisd(link.beta_rad, Eigen::Vector3d::UnitY()).toRotationMatrix();
-}
-
 RigidTransform turned(const Eigen::Matrix3d& rotation) {
   return {rotation, Eigen::Vector3d::Zero()};
 }
@@ -82,7 +71,7 @@ LinkStep link_step(const RigidTransform& step, double x_at_rad) {
   LinkStep result;
   result.turn_rad =
       angle_without_rounding(std::atan2(now.x() * x.y() - now.y() * x.x(), x.dot(now)));
-  const RigidTransform rest = turned(turn_z(-x_at_rad - result.turn_rad)) * step;
+  const RigidTransform rest = turned(rotation_about_z(-x_at_rad - result.turn_rad)) * step;
   const Eigen::Vector3d axis = rest.rotation.col(2);  // = (sin b, -sin a cos b, cos a cos b)
   Link& link = result.link;
   link.a_mm = length_without_rounding(rest.translation_mm.x());
@@ -160,7 +149,7 @@ ChainConversion chain_from_arm(const ArmModel& arm) {
   for (std::size_t i = 0; i < arm.joints.size(); ++i) {
     const Joint& joint = arm.joints[i];
     ChainJoint& out = chain.joints.emplace_back();
-    out.parent_from_joint = before * turned(turn_z(joint.direction * joint.zero_rad));
+    out.parent_from_joint = before * turned(rotation_about_z(joint.direction * joint.zero_rad));
     out.axis_in_joint = {0.0, 0.0, static_cast<double>(joint.direction)};
     out.min_rad = joint.min_rad;
     out.max_rad = joint.max_rad;

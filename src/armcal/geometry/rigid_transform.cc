@@ -36,6 +36,14 @@ Eigen::Vector3d vector_from_rotation(const Eigen::Matrix3d& rotation) {
   return q.vec() * (std::copysign(angle, q.w()) / sine);
 }
 
+Eigen::Matrix3d rotation_about_z(double angle_rad) {
+  const double c = std::cos(angle_rad);
+  const double s = std::sin(angle_rad);
+  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+  rotation.topLeftCorner<2, 2>() << c, -s, s, c;
+  return rotation;
+}
+
 Eigen::Matrix3d rotation_between(const Eigen::Vector3d& from, const Eigen::Vector3d& onto) {
   const Eigen::Vector3d cross = from.cross(onto);
   const double sine = cross.norm();

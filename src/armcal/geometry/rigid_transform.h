@@ -44,6 +44,9 @@ struct RigidTransform {
 /// pi.
 [[nodiscard]] Eigen::Vector3d vector_from_rotation(const Eigen::Matrix3d& rotation);
 
+/// Rotation about the z axis; exactly the identity at 0.
+[[nodiscard]] Eigen::Matrix3d rotation_about_z(double angle_rad);
+
 /// The least rotation that turns one unit vector onto another; between opposite ones, half a turn
 /// about some axis across.
 [[nodiscard]] Eigen::Matrix3d rotation_between(const Eigen::Vector3d& from,

@@ -9,6 +9,7 @@
 
 #include "armcal/arm/arm_from_axes.h"
 #include "armcal/arm/forward_kinematics.h"
+#include "armcal/numerics/linear_algebra.h"
 #include "armcal/testing/random_arms.h"
 #include "armcal/testing/synthetic_readings.h"
 #include "armcal/testing/wang2016_arm.h"
@@ -19,10 +20,6 @@ namespace {
 using ::testing::HasSubstr;
 using testing::random_arm;
 using testing::random_posture;
-
-std::span<const double> as_span(const Eigen::VectorXd& v) {
-  return {v.data(), static_cast<std::size_t>(v.size())};
-}
 
 struct Arcs {
   ArmModel truth;

@@ -4,11 +4,17 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <span>
 
 namespace armcal {
 
 // The decompositions that the rest of the house needs, on matrices of any size. They are compiled
 // here and nowhere else: each instance of Eigen's templates costs ten seconds of every build.
+
+/// The numbers of a vector, for what takes a span.
+[[nodiscard]] inline std::span<const double> as_span(const Eigen::VectorXd& vector) {
+  return {vector.data(), static_cast<std::size_t>(vector.size())};
+}
 
 /// Rounding of a sum of squares, as a share of it.
 inline constexpr double kSumRounding = 1e-13;

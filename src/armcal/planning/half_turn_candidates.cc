@@ -12,6 +12,7 @@
 
 #include "armcal/arm/forward_kinematics.h"
 #include "armcal/core/random.h"
+#include "armcal/numerics/linear_algebra.h"
 
 namespace armcal {
 namespace {
@@ -23,15 +24,11 @@ constexpr double kAngleRounding_rad = 1e-9;
 // and its direction is at the mercy of the arm's own errors.
 constexpr double kShortestShare = 0.01;
 // Readings that differ by less than this in every angle are one reading.
-constexpr double kSameAngle_rad = radians_from_degrees(0.5);
+constexpr double kAlike_rad = radians_from_degrees(0.5);
 constexpr long kTriesPerCandidate = 200;
 // After so many repetitions in a row for each one found, there are hardly any left to find.
 constexpr long kRepetitions = 20;
 constexpr long kLeastRepetitions = 1000;
-
-std::span<const double> as_span(const Eigen::VectorXd& v) {
-  return {v.data(), static_cast<std::size_t>(v.size())};
-}
 
 struct Range {
   double low = 0.0;
@@ -84,9 +81,9 @@ bool draw_half_turn(const Joint& joint, double grid_rad, RandomStream& random, d
 // matter.
 std::vector<long> identity_of(const HalfTurn& turn) {
   std::vector<long> identity = {turn.joint};
-  const long whole_turn = std::lround(2.0 * kPi / kSameAngle_rad);
+  const long whole_turn = std::lround(2.0 * kPi / kAlike_rad);
   for (Eigen::Index j = turn.joint; j < turn.posture_rad.size(); ++j) {
-    const long steps = std::lround(turn.posture_rad(j) / kSameAngle_rad) % whole_turn;
+    const long steps = std::lround(turn.posture_rad(j) / kAlike_rad) % whole_turn;
     identity.push_back(steps < 0 ? steps + whole_turn : steps);
   }
   return identity;

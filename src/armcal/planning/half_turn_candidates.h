@@ -16,6 +16,9 @@
 
 namespace armcal {
 
+/// Angles nearer than this need not be set anew.
+inline constexpr double kSameAngle_rad = 1e-6;
+
 /// A wish that no plan can fulfil; the message names the reason.
 class ImpossiblePlan : public NumericalError {
  public:

@@ -8,7 +8,6 @@
 namespace armcal {
 namespace {
 
-constexpr double kSameAngle_rad = 1e-6;
 // Joints without stops are kept within a turn, so that no cable is wound up and angles stay such as
 // people give.
 constexpr double kOneTurn_rad = std::numbers::pi + kSameAngle_rad;

@@ -7,15 +7,12 @@
 
 #include "armcal/arm/forward_kinematics.h"
 #include "armcal/core/random.h"
+#include "armcal/numerics/linear_algebra.h"
 
 namespace armcal {
 namespace {
 
 constexpr int kTriesPerPosture = 2000;
-
-std::span<const double> as_span(const Eigen::VectorXd& v) {
-  return {v.data(), static_cast<std::size_t>(v.size())};
-}
 
 double uniform_angle(const Joint& joint, RandomStream& random) {
   double low = joint.min_rad;

@@ -10,8 +10,6 @@
 namespace armcal {
 namespace {
 
-// Angles nearer than this need not be set anew.
-constexpr double kSameAngle_rad = 1e-6;
 // A joint more is worse than any way of the joints that move.
 constexpr double kPerRadian = 1e-4;
 constexpr int kMostSweeps = 60;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "armcal/arm/inverse_kinematics.h"
+#include "armcal/numerics/linear_algebra.h"
 
 namespace armcal {
 namespace {
@@ -26,10 +27,6 @@ ArmModel drawn_geometry(const ArmModel& nominal, const ErrorSources& errors, std
 ArmModel with_drawn_scales(const ArmModel& truth, const ErrorSources& errors, std::uint64_t seed) {
   RandomStream random(seed, kScaleEccentricity);
   return with_eccentric_scales(truth, errors.scale_eccentricity, random);
-}
-
-std::span<const double> span_of(const Eigen::VectorXd& values) {
-  return {values.data(), static_cast<std::size_t>(values.size())};
 }
 
 }  // namespace
@@ -69,7 +66,7 @@ VirtualArm::Drawn VirtualArm::drawn(const ArmModel& truth, const ErrorSources& e
 
 ArmState VirtualArm::state(const Eigen::VectorXd& encoder_rad,
                            const Circumstances& circumstances) const {
-  ArmState state = state_of(truth_, span_of(encoder_rad));
+  ArmState state = state_of(truth_, as_span(encoder_rad));
   if (errors_.warm_up_drift.is_on()) {
     const double share = -std::expm1(-circumstances.time_s / errors_.warm_up_drift.time_constant_s);
     add_drift(state, drawn_.drift, truth_.joints, share);
@@ -104,8 +101,8 @@ Eigen::VectorXd VirtualArm::shown(const Eigen::VectorXd& encoder_rad, RandomStre
 }
 
 std::optional<std::string> VirtualArm::obstacle(const Eigen::VectorXd& encoder_rad) const {
-  if (auto limit = broken_limit(truth_, span_of(encoder_rad))) return limit;
-  return collision(kinematics_, span_of(encoder_rad), surroundings_);
+  if (auto limit = broken_limit(truth_, as_span(encoder_rad))) return limit;
+  return collision(kinematics_, as_span(encoder_rad), surroundings_);
 }
 
 std::optional<Eigen::VectorXd> VirtualArm::posture_with_tip_at(

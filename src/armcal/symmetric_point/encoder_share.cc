@@ -7,13 +7,10 @@
 
 #include "armcal/arm/forward_kinematics.h"
 #include "armcal/core/invariant.h"
+#include "armcal/numerics/linear_algebra.h"
 
 namespace armcal {
 namespace {
-
-std::span<const double> as_span(const Eigen::VectorXd& v) {
-  return {v.data(), static_cast<std::size_t>(v.size())};
-}
 
 // Variance of the distance per variance of one encoder reading.
 double of_half_turn(const ForwardKinematics& kinematics, const SymmetricReading& reading,

@@ -12,14 +12,11 @@
 #include "armcal/arm/forward_kinematics.h"
 #include "armcal/arm/parameter_table.h"
 #include "armcal/core/invariant.h"
+#include "armcal/numerics/linear_algebra.h"
 #include "armcal/symmetric_point/radius_wave.h"
 
 namespace armcal {
 namespace {
-
-std::span<const double> as_span(const Eigen::VectorXd& v) {
-  return {v.data(), static_cast<std::size_t>(v.size())};
-}
 
 // A distance or radius below this share of the reach is rounding about zero: it has no direction.
 constexpr double kNoDistance = 1e-12;

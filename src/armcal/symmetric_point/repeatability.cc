@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "armcal/numerics/distributions.h"
+#include "armcal/numerics/median.h"
 
 namespace armcal {
 namespace {
@@ -51,12 +52,6 @@ bool differ(const std::vector<Spread>& spreads) {
   const double correction = 1.0 + (inverses - 1.0 / freedom) / (3.0 * others);
   const double statistic = (freedom * std::log(squares / freedom) - logarithms) / correction;
   return chi_squared_survival(statistic, others) < kTooDifferent;
-}
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t half = values.size() / 2;
-  return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2.0;
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 
 #include "armcal/geometry/registration.h"
 #include "armcal/io/symmetric_point_file.h"
+#include "armcal/numerics/linear_algebra.h"
 #include "armcal/simulation/empty_group.h"
 #include "armcal/workflow/calibration_job.h"
 #include "armcal/workflow/enough_readings.h"
@@ -19,10 +20,6 @@ namespace {
 
 constexpr int kCheckMeasurement = 0;  // those of the scenario count from 1
 constexpr int kPostures = 200;        // over which tips of arms are compared
-
-std::span<const double> as_span(const Eigen::VectorXd& values) {
-  return {values.data(), static_cast<std::size_t>(values.size())};
-}
 
 class Simulator {
  public:

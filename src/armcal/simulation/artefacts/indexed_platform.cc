@@ -14,7 +14,7 @@ namespace armcal {
 namespace {
 
 RigidTransform turn_about_z(double angle_rad) {
-  return {rotation_from_vector(angle_rad * Eigen::Vector3d::UnitZ()), Eigen::Vector3d::Zero()};
+  return {rotation_about_z(angle_rad), Eigen::Vector3d::Zero()};
 }
 
 RigidTransform shift(double x_mm, double y_mm, double z_mm) {
@@ -84,13 +84,11 @@ ArmModel on_platform(const ArmModel& arm, const IndexedPlatform& platform) {
 
 ArmModel without_platform(const ArmModel& arm_on_platform) {
   const Link& link = arm_on_platform.links.front();
-  const Eigen::Matrix3d tilt = rotation_from_vector(link.alpha_rad * Eigen::Vector3d::UnitX()) *
-                               rotation_from_vector(link.beta_rad * Eigen::Vector3d::UnitY());
   ArmModel arm = arm_on_platform;
   arm.base_from_first_joint = arm_on_platform.base_from_first_joint *
                               turn_about_z(arm_on_platform.joints.front().zero_rad) *
                               shift(link.a_mm, link.b_mm, link.d_mm) *
-                              RigidTransform{tilt, Eigen::Vector3d::Zero()};
+                              RigidTransform{twist(link), Eigen::Vector3d::Zero()};
   arm.joints.erase(arm.joints.begin());
   arm.links.erase(arm.links.begin());
   return arm;
