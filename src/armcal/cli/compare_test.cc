@@ -57,7 +57,7 @@ TEST(CompareCommand, JudgesMethodsOnTheRowsThatASessionHoldsOut) {
   ASSERT_EQ(result.code, kDone) << result.err;
   const Json json = result.json();
   EXPECT_EQ(json["held_out"], 18);
-  ASSERT_EQ(json["methods"].size(), 6u);
+  ASSERT_EQ(json["methods"].size(), 7u);
   const double nominal = json["methods"][0]["held_out"]["rms_mm"];
   const double geometry = json["methods"][1]["held_out"]["rms_mm"];
   EXPECT_LT(50.0 * geometry, nominal);

@@ -4,10 +4,12 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/LU>
 #include <Eigen/SVD>
 
 #include "armcal/core/diagnostics.h"
 #include "armcal/identification/estimation_problem.h"
+#include "armcal/numerics/normal_equations.h"
 
 namespace armcal {
 namespace {
@@ -21,6 +23,45 @@ double scaled_condition_number(const Eigen::MatrixXd& r) {
   }
   const Eigen::VectorXd singular = Eigen::JacobiSVD<Eigen::MatrixXd>(scaled).singularValues();
   return singular(0) / singular(singular.size() - 1);
+}
+
+// Readings with all written parameters unknown, placed on the nominal arm.
+class Readings {
+ public:
+  Readings(const ArmModel& nominal, std::span<const ObservationGroup> groups)
+      : unknowns(nominal, written_parameters(nominal)) {
+    for (const ObservationGroup& group : groups) {
+      for (auto& residual : residuals_of(group, false, unknowns))
+        residuals_.push_back(std::move(residual));
+    }
+    start = unknowns.start();
+    const ArmAt at{nominal, TipRows(nominal, unknowns.columns())};
+    for (const bool lengths : {false, true}) {  // lengths start from points that others give
+      for (const auto& residual : residuals_) {
+        if ((residual->group().kind == ReferenceKind::length) != lengths) continue;
+        if (const auto problem = residual->start(at, unknowns, start))
+          throw NumericalError(*problem);
+        pointers_.push_back(residual.get());
+      }
+    }
+    weigh_all(residuals_, unknowns, start);
+  }
+
+  [[nodiscard]] EstimationProblem problem() const { return {pointers_, unknowns, {}}; }
+
+  Unknowns unknowns;
+  Eigen::VectorXd start;
+
+ private:
+  std::vector<std::unique_ptr<Residual>> residuals_;
+  std::vector<const Residual*> pointers_;
+};
+
+// One step of Gauss and Newton with the inverse of the normal equations.
+Eigen::VectorXd plain_step(const NormalEquations& equations) {
+  const Eigen::Index n = equations.gram.rows() - 1;
+  const Eigen::MatrixXd normal = equations.gram.topLeftCorner(n, n).selfadjointView<Eigen::Lower>();
+  return -(normal.inverse() * equations.gradient().transpose());
 }
 
 }  // namespace
@@ -37,36 +78,43 @@ std::vector<int> written_parameters(const ArmModel& arm) {
 
 FoundArm redundant_fit(const ArmModel& nominal, std::span<const ObservationGroup> groups,
                        const Monitor& monitor) {
-  Unknowns unknowns(nominal, written_parameters(nominal));
-  std::vector<std::unique_ptr<Residual>> residuals;
-  for (const ObservationGroup& group : groups) {
-    for (auto& residual : residuals_of(group, false, unknowns))
-      residuals.push_back(std::move(residual));
-  }
-  Eigen::VectorXd x = unknowns.start();
-  const ArmAt at{nominal, TipRows(nominal, unknowns.columns())};
-  std::vector<const Residual*> pointers;
-  for (const bool lengths : {false, true}) {  // lengths start from points that others give
-    for (const auto& residual : residuals) {
-      if ((residual->group().kind == ReferenceKind::length) != lengths) continue;
-      if (const auto problem = residual->start(at, unknowns, x)) throw NumericalError(*problem);
-      pointers.push_back(residual.get());
-    }
-  }
-  weigh_all(residuals, unknowns, x);
-  const EstimationProblem problem(pointers, unknowns, {});
+  const Readings readings(nominal, groups);
+  const EstimationProblem problem = readings.problem();
   LeastSquaresOptions options;
   options.residual_resolution = problem.residual_resolution();
   options.monitor = monitor;
-  const LeastSquaresSolution solution = solve_least_squares(problem, x, options);
+  const LeastSquaresSolution solution = solve_least_squares(problem, readings.start, options);
   if (solution.termination == Termination::not_finite)
     throw NumericalError("the readings cannot be computed on the nominal arm");
   FoundArm found;
-  found.arm = unknowns.arm_at(solution.x);
-  found.free = unknowns.free();
+  found.arm = readings.unknowns.arm_at(solution.x);
+  found.free = readings.unknowns.free();
   found.condition_number = scaled_condition_number(triangular_factor(problem, solution.x));
   found.remark =
       fmt::format("{} after {} iterations", to_string(solution.termination), solution.iterations);
+  return found;
+}
+
+FoundArm plain_gauss_newton(const ArmModel& nominal, std::span<const ObservationGroup> groups,
+                            const Monitor& monitor) {
+  constexpr int kSteps = 20;
+  const Readings readings(nominal, groups);
+  const EstimationProblem problem = readings.problem();
+  const BlockPlan plan = plan_blocks(problem);
+  const PassOptions pass{{}, 1, monitor};
+  NormalEquationsBuilder builder(problem, plan, pass);
+  Eigen::VectorXd x = readings.start;
+  for (int i = 1; i <= kSteps; ++i) {
+    NormalEquations equations;
+    builder.build(x, equations);
+    if (equations.finite()) x = problem.moved(x, plain_step(equations));
+    if (!equations.finite() || !x.allFinite())
+      throw NumericalError(fmt::format("lost after {} steps", i));
+  }
+  FoundArm found;
+  found.arm = readings.unknowns.arm_at(x);
+  found.free = readings.unknowns.free();
+  found.condition_number = scaled_condition_number(triangular_factor(problem, x));
   return found;
 }
 

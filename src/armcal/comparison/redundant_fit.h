@@ -22,4 +22,12 @@ namespace armcal {
                                      std::span<const ObservationGroup> groups,
                                      const Monitor& monitor);
 
+/// The same by twenty undamped Gauss-Newton steps x <- x - (J^T J)^-1 J^T r in mm and rad, the
+/// inverse taken as it comes: how the linearised least squares of papers are written down. With
+/// redundant columns that matrix has no inverse, and its rounding decides what the steps are.
+/// @throws NumericalError where the steps leave all numbers behind
+[[nodiscard]] FoundArm plain_gauss_newton(const ArmModel& nominal,
+                                          std::span<const ObservationGroup> groups,
+                                          const Monitor& monitor);
+
 }  // namespace armcal

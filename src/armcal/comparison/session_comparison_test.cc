@@ -113,6 +113,23 @@ TEST(RedundantFit, PredictsAsWellButIsNoPoint) {
               row_figures(reduced.arm, groups, true).residuals.rms_mm, 1e-5);
 }
 
+// What papers call the failure of least squares: with the redundant columns in, an inverse that
+// does not exist is taken.
+TEST(PlainGaussNewton, IsNoMatchForTheSameLeastSquares) {
+  const auto groups = readings(true_arm());
+  const ArmModel nominal = testing::consistent_romer();
+  const double damped =
+      row_figures(redundant_fit(nominal, groups, {}).arm, groups, false).residuals.rms_mm;
+  double undamped = std::numeric_limits<double>::infinity();
+  try {
+    undamped =
+        row_figures(plain_gauss_newton(nominal, groups, {}).arm, groups, false).residuals.rms_mm;
+  } catch (const NumericalError&) {
+    // lost on the way, or nowhere near a place
+  }
+  EXPECT_GE(undamped, 0.999 * damped);
+}
+
 TEST(PopulationFit, ComesNearerThanTheNominalArm) {
   const auto groups = readings(true_arm());
   const ArmModel nominal = testing::consistent_romer();

@@ -30,7 +30,7 @@ TakenReadings take(const Bench& bench) {
 std::vector<Method> circle_point_methods() {
   return {{.name = "circle-points",
            .title = "circle-point analysis",
-           .reference = "Mooring, Roth, Driels 1991",
+           .reference = "Vorotnikov et al. 2016",
            .needs = "a reference CMM or tracker",
            .take = take}};
 }

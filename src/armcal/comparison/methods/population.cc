@@ -10,21 +10,24 @@ namespace {
 
 const char* const kNeeds = "two cones of known distance";
 
+using Fit = FoundArm (*)(const ArmModel&, std::span<const ObservationGroup>, const Monitor&);
+
+FoundArm identifiable_fit(const ArmModel& nominal, std::span<const ObservationGroup> groups,
+                          const Monitor& monitor) {
+  return found_arm(calibrate(nominal, groups, {.monitor = monitor}));
+}
+
 // Least squares on what the searches see: uncertain encoders are not weighed.
-Method least_squares(bool redundant) {
-  return {
-      .name = redundant ? "same-objective-redundant" : "same-objective",
-      .title = redundant ? "the same, all parameters" : "least squares, objective of the searches",
-      .needs = kNeeds,
-      .take = [=](const Bench& bench) -> TakenReadings {
-        std::vector<ObservationGroup> groups = cone_and_length(bench);
-        const int count = count_readings(groups);
-        return {count, [=, nominal = bench.arm.nominal(), groups = std::move(groups),
-                        monitor = bench.monitor] {
-                  return redundant ? redundant_fit(nominal, groups, monitor)
-                                   : found_arm(calibrate(nominal, groups, {.monitor = monitor}));
-                }};
-      }};
+Method least_squares(const std::string& name, const std::string& title, Fit fit) {
+  return {.name = name,
+          .title = title,
+          .needs = kNeeds,
+          .take = [=](const Bench& bench) -> TakenReadings {
+            std::vector<ObservationGroup> groups = cone_and_length(bench);
+            const int count = count_readings(groups);
+            return {count, [fit, nominal = bench.arm.nominal(), groups = std::move(groups),
+                            monitor = bench.monitor] { return fit(nominal, groups, monitor); }};
+          }};
 }
 
 // A search in the identifiable parameters, or in all that are written down.
@@ -51,7 +54,11 @@ Method search(const std::string& name, const std::string& title, const std::stri
 }  // namespace
 
 std::vector<Method> population_methods() {
-  std::vector<Method> methods = {least_squares(false), least_squares(true)};
+  std::vector<Method> methods = {
+      least_squares("same-objective", "least squares, objective of the searches", identifiable_fit),
+      least_squares("same-objective-redundant", "the same, all parameters", redundant_fit),
+      least_squares("same-objective-plain", "the same, all parameters, undamped",
+                    plain_gauss_newton)};
   for (const bool redundant : {false, true}) {
     methods.push_back(search("annealing", "simulated annealing", "Gao et al. 2009",
                              PopulationMethod::annealing, redundant));

@@ -57,8 +57,14 @@ std::vector<SessionMethod> session_methods() {
       least_squares("least-squares-robust", "least squares, Huber's loss", 0, RobustLoss::huber),
       {.name = "least-squares-redundant",
        .title = "least squares, all parameters",
+       .compute =
+           [](const SessionReadings& readings) {
+             return redundant_fit(readings.nominal, readings.groups, readings.calibration.monitor);
+           }},
+      {.name = "least-squares-plain",
+       .title = "the same, undamped",
        .compute = [](const SessionReadings& readings) {
-         return redundant_fit(readings.nominal, readings.groups, readings.calibration.monitor);
+         return plain_gauss_newton(readings.nominal, readings.groups, readings.calibration.monitor);
        }}};
   for (const bool redundant : {false, true}) {
     methods.push_back(
