@@ -59,7 +59,7 @@ int run_simulate(const Flags& flags, const Context& context) {
   const LoadedScenario loaded =
       load_scenario(files, flags.scenario ? built_in_scenario(*flags.scenario).path : *flags.file);
   const Simulation simulation =
-      simulate(loaded, flags.seed ? seed_of(*flags.seed) : loaded.scenario.seed);
+      simulate(loaded, flags.seed ? seed_of(*flags.seed) : loaded.scenario.seed, context.monitor);
   const SimulationFiles written = simulation_files(simulation, loaded.scenario);
   for (const FileText& file : written.files) {
     context.require_no_input((std::filesystem::path(*flags.folder) / file.path).string(),

@@ -31,11 +31,14 @@ class Simulator {
     result_.truth = laboratory_.arm().truth();
   }
 
-  Simulation run() {
+  Simulation run(const Monitor& monitor) {
     check_estimate(scenario_.estimate, scenario_.file, loaded_.nominal, diagnostics_);
     for (std::size_t i = 0; i < scenario_.measurements.size(); ++i) {
+      const PlannedMeasurement& planned = scenario_.measurements[i];
+      monitor.report("measuring " + name_of(planned.measurement),
+                     static_cast<double>(i) / static_cast<double>(scenario_.measurements.size()));
       laboratory_.begin(static_cast<int>(i) + 1);
-      attempt(scenario_.measurements[i]);
+      attempt(planned);
     }
     laboratory_.begin(kCheckMeasurement);
     attempt_check();
@@ -195,8 +198,8 @@ class Simulator {
 
 }  // namespace
 
-Simulation simulate(const LoadedScenario& loaded, std::uint64_t seed) {
-  return Simulator(loaded, seed).run();
+Simulation simulate(const LoadedScenario& loaded, std::uint64_t seed, const Monitor& monitor) {
+  return Simulator(loaded, seed).run(monitor);
 }
 
 }  // namespace armcal

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "armcal/core/progress.h"
 #include "armcal/simulation/virtual_arm.h"
 #include "armcal/workflow/scenario_file.h"
 
@@ -51,6 +52,7 @@ struct Simulation {
 /// before it.
 /// @throws InputError with the place and the reason of everything that is impossible: artefacts out
 /// of reach, joint limits that exclude a procedure, fewer readings than unknowns
-[[nodiscard]] Simulation simulate(const LoadedScenario& loaded, std::uint64_t seed);
+[[nodiscard]] Simulation simulate(const LoadedScenario& loaded, std::uint64_t seed,
+                                  const Monitor& monitor = {});
 
 }  // namespace armcal
