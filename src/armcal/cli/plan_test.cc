@@ -103,6 +103,14 @@ TEST(PlanSymmetricPointCommand, TheFilledProcedureGivesTheCalibration) {
   EXPECT_GT(length_error_mm(read.arm, trial.truth, pairs), 0.2);
 }
 
+// A robot without a tool has its tip on the last axis: points show 16 parameters, half turns 15.
+TEST(PlanSymmetricPointCommand, WarnsOfAnArmThatHidesParameters) {
+  const auto result = tool(plan({"--json"}, "puma-560.arm.toml"));
+  EXPECT_EQ(result.code, kDone);
+  EXPECT_LT(result.json()["rank"], 21);
+  EXPECT_THAT(result.err, HasSubstr("not the usual 21: as drawn, some move no distance"));
+}
+
 TEST(PlanSymmetricPointCommand, RefusesImpossibleWishesWithTheReason) {
   const auto few = tool(plan({"--readings", "15"}));
   EXPECT_EQ(few.code, kNumericalFailure);

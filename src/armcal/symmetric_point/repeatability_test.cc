@@ -13,8 +13,8 @@ namespace {
 
 Reduction reading_with(double s_mm, int count = 5) {
   Reduction reduction;
-  reduction.end_a = EndStatistics{count, {}, s_mm};
-  reduction.end_b = EndStatistics{count, {}, s_mm};
+  reduction.end_a = EndStatistics{count, Eigen::Vector3d::Zero(), s_mm};
+  reduction.end_b = EndStatistics{count, Eigen::Vector3d::Zero(), s_mm};
   reduction.u_type_a = s_mm * std::sqrt(2.0 / count);
   return reduction;
 }
@@ -56,6 +56,20 @@ TEST(Repeatability, FollowsTheNumberOfRepeats) {
   all[5].end_b->count = 20;
   share_repeatability(all);
   EXPECT_NEAR(all[5].u_type_a / all[4].u_type_a, std::sqrt((0.2 + 0.05) / 0.4), 1e-12);
+}
+
+// An arm that gives way scatters more with a longer lever: then there is no one spread.
+TEST(Repeatability, LeavesSpreadsAloneThatDiffer) {
+  auto all = readings(20, 5);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const double lever = 0.3 + 0.1 * static_cast<double>(i);
+    all[i].end_a->s_mm *= lever;
+    all[i].end_b->s_mm *= lever;
+    all[i].u_type_a *= lever;
+  }
+  const auto before = all;
+  share_repeatability(all);
+  for (std::size_t i = 0; i < all.size(); ++i) EXPECT_EQ(all[i].u_type_a, before[i].u_type_a);
 }
 
 TEST(Repeatability, LeavesFewReadingsAlone) {

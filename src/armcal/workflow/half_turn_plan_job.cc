@@ -12,7 +12,17 @@ HalfTurnPlan run_half_turn_plan(InputFiles& files, const std::string& arm_path,
                                 const HalfTurnWishes& wishes) {
   const auto arm = files.arm(arm_path);
   files.require_good();
-  return plan_half_turns(*arm, wishes, files.monitor());
+  HalfTurnPlan plan = plan_half_turns(*arm, wishes, files.monitor());
+  const int usual = 4 * arm->joint_count() - 3;
+  if (plan.rank() < usual) {
+    files.diagnostics().warning(
+        {arm_path, 0, 0},
+        fmt::format("half turns determine {} parameters of this arm, not the usual {}: as drawn, "
+                    "some move no distance to first order (its tip lies on the last axis, say)",
+                    plan.rank(), usual),
+        "their errors come on top of what is predicted; a longer stylus off that axis shows them");
+  }
+  return plan;
 }
 
 std::string readings_path(const std::string& procedure_path) {

@@ -11,6 +11,7 @@
 namespace armcal {
 
 /// Plans a complete symmetric-point calibration of the arm of a file.
+/// Warns of an arm that shows fewer than 4n - 3 parameters by half turns.
 /// @throws InputError; NumericalError where a wish cannot be fulfilled
 [[nodiscard]] HalfTurnPlan run_half_turn_plan(InputFiles& files, const std::string& arm_path,
                                               const HalfTurnWishes& wishes);
