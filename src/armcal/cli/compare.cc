@@ -23,7 +23,7 @@ struct Flags {
   std::optional<std::string> session;
   std::optional<std::string> scenario;
   std::vector<std::string> methods;
-  std::optional<double> seed, repeats, threads;
+  std::optional<double> readings, seed, repeats, threads;
   bool paper_sphere = false;
   std::optional<std::string> markdown;
 };
@@ -62,16 +62,17 @@ int run_scenario(const Flags& flags, const Context& context) {
   options.repeats = whole_number("--repeats", flags.repeats, options.repeats);
   options.threads = threads_of(flags);
   options.monitor = context.monitor;
-  const std::string name = flags.scenario.value_or(scenario_names().front());
+  Scenario scenario = *scenario_named(flags.scenario.value_or(scenario_names().front()));
+  scenario.readings = whole_number("--readings", flags.readings, scenario.readings);
   InputFiles no_files;
-  emit(flags, context, no_files, compare_methods(*scenario_named(name), options));
+  emit(flags, context, no_files, compare_methods(scenario, options));
   return kDone;
 }
 
 int run_session(const Flags& flags, const Context& context) {
-  if (flags.scenario || flags.repeats) {
-    throw std::invalid_argument(fmt::format("{} is for drawn arms; a session has its own",
-                                            flags.scenario ? "--scenario" : "--repeats"));
+  if (flags.scenario || flags.repeats || flags.readings) {
+    throw std::invalid_argument(
+        "--scenario, --repeats and --readings are for drawn arms; a session has its own");
   }
   SessionComparisonOptions options;
   if (!flags.methods.empty()) options.methods = flags.methods;
@@ -84,7 +85,7 @@ int run_session(const Flags& flags, const Context& context) {
 }
 
 int run_paper_sphere(const Flags& flags, const Context& context) {
-  if (flags.session || flags.scenario || !flags.methods.empty()) {
+  if (flags.session || flags.scenario || flags.readings || !flags.methods.empty()) {
     throw std::invalid_argument("--paper-sphere has its own arm and method");
   }
   PaperSphereOptions options;
@@ -130,6 +131,13 @@ Command compare_command() {
        false,
        {},
        NumberRange::not_negative},
+      {"--readings",
+       "budget of each method; 120 if not given",
+       &flags->readings,
+       "N",
+       false,
+       {},
+       NumberRange::positive},
       {"--repeats",
        "so many arms, and medians over them",
        &flags->repeats,

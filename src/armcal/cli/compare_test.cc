@@ -34,6 +34,17 @@ TEST(CompareCommand, TakesSeedRepeatsAndScenario) {
   EXPECT_EQ(json["methods"][0]["arms"], 2);
 }
 
+TEST(CompareCommand, GivesEveryMethodTheBudgetThatIsAskedFor) {
+  const auto rms = [](const std::string& readings) {
+    const Json json =
+        tool({"compare", "--methods", "cmm", "--readings", readings, "--repeats", "3", "--json"})
+            .json();
+    EXPECT_EQ(json["methods"][0]["readings"], std::stoi(readings));
+    return json["methods"][0]["point_rms_mm"].get<double>();
+  };
+  EXPECT_GT(rms("30"), 1.5 * rms("480"));
+}
+
 TEST(CompareCommand, GivesTheSameDigitsOnOneAndTwoThreads) {
   const auto digits = [](const std::string& threads) {
     Json json = tool({"compare", "--methods", "c*", "--json", "--threads", threads}).json();
@@ -75,7 +86,7 @@ TEST(CompareCommand, SplitsASessionThatHoldsNothingOut) {
 TEST(CompareCommand, RefusesWhatDoesNotGoTogether) {
   const std::string session = example("calibration/tracker.session.toml");
   EXPECT_THAT(tool({"compare", session, "--scenario", "romer"}).err,
-              HasSubstr("--scenario is for drawn arms"));
+              HasSubstr("--scenario, --repeats and --readings are for drawn arms"));
   EXPECT_EQ(tool({"compare", session, "--repeats", "2"}).code, kWrongInput);
   EXPECT_EQ(tool({"compare", session, "--paper-sphere"}).code, kWrongInput);
   EXPECT_THAT(tool({"compare", "--repeats", "2.5"}).err, HasSubstr("must be a whole number"));

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <stdexcept>
 
 #include "armcal/comparison/core_time.h"
 #include "armcal/comparison/methods/registry.h"
@@ -87,6 +88,7 @@ ComparisonRow row_of(const Method& method, const std::vector<const Outcome*>& ou
 
 Comparison compare_methods(const Scenario& scenario, const ComparisonOptions& options) {
   const std::vector<Method> methods = chosen_by_name(all_methods(), options.methods);
+  if (options.repeats < 1) throw std::invalid_argument("methods are compared on one arm at least");
   const auto repeats = static_cast<std::size_t>(options.repeats);
   std::vector<Bench> benches;
   std::vector<Judge> judges;

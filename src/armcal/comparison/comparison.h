@@ -41,7 +41,7 @@ struct Comparison {
 };
 
 /// Every chosen method on the same arms. A method that cannot work here has its reason in its row.
-/// @throws std::invalid_argument where no method is called so; Interrupted
+/// @throws std::invalid_argument where no method is called so, or without an arm; Interrupted
 [[nodiscard]] Comparison compare_methods(const Scenario& scenario,
                                          const ComparisonOptions& options);
 

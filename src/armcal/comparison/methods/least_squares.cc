@@ -118,6 +118,7 @@ TakenReadings take_platform(const Bench& bench) {
   platform.points = times(bench, platform.positions);
   Laboratory laboratory = bench.laboratory();
   std::vector<ObservationGroup> groups = measure(laboratory, platform);
+  state_encoders(bench, groups);
   const int count = count_readings(groups);
   return {
       count, [nominal = on_platform(bench.arm.nominal(), platform), groups = std::move(groups),

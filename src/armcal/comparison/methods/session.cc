@@ -1,9 +1,12 @@
 // SPDX-FileCopyrightText: the armcal authors
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+
+#include "armcal/arm/parameter_table.h"
 #include "armcal/comparison/methods/registry.h"
 #include "armcal/comparison/population_fit.h"
 #include "armcal/comparison/redundant_fit.h"
-#include "armcal/core/units.h"
 
 namespace armcal {
 namespace {
@@ -19,20 +22,37 @@ SessionMethod least_squares(std::string name, std::string title, int harmonics, 
           }};
 }
 
+// A box about the nominal arm that is sure to hold the answer, twice as wide as least squares found
+// it to be: more than anybody could know who has only a search. Candidates cost the more the more
+// rows there are.
+PopulationFitOptions search_options(const SessionReadings& readings, PopulationMethod method,
+                                    bool redundant) {
+  const FoundArm found = found_arm(calibrate(readings.nominal, readings.groups, {}));
+  const ParameterTable table(readings.nominal);
+  const Eigen::VectorXd change = parameter_values(found.arm) - table.nominal();
+  PopulationFitOptions options{.method = method, .redundant = redundant, .seed = readings.seed};
+  for (const int index : found.free) {
+    double& half_width =
+        table[index].unit == ParameterUnit::mm ? options.half_length_mm : options.half_angle_rad;
+    half_width = std::max(half_width, 2.0 * std::abs(change(index)));
+  }
+  Eigen::Index rows = 0;
+  for (const ObservationGroup& group : readings.groups) rows += group.count();
+  constexpr double kRowsInAll = 2e7;
+  options.evaluations =
+      static_cast<std::int64_t>(std::clamp(kRowsInAll / static_cast<double>(rows), 2e4, 2e5));
+  return options;
+}
+
 SessionMethod search(const std::string& name, const std::string& title, PopulationMethod method,
                      bool redundant) {
   constexpr double kEffort = 100.0;
-  // Nobody knows how far an arm is from its drawing: far enough for one that a person put together.
   return {.name = redundant ? name + "-redundant" : name,
           .title = title + (redundant ? ", all parameters" : ""),
           .effort = kEffort,
           .compute = [=](const SessionReadings& readings) {
             return population_fit(readings.nominal, readings.groups,
-                                  {.method = method,
-                                   .redundant = redundant,
-                                   .half_length_mm = 5.0,
-                                   .half_angle_rad = radians_from_degrees(1.0),
-                                   .seed = readings.seed},
+                                  search_options(readings, method, redundant),
                                   readings.calibration.monitor);
           }};
 }
