@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: the armcal authors
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -50,9 +51,8 @@ std::uint64_t seed_of(const Flags& flags) {
 
 void emit(const Flags& flags, const Context& context, InputFiles& files, const auto& comparison) {
   if (flags.markdown) context.save(*flags.markdown, markdown_result(comparison), files.records());
-  Json json = json_result(comparison);
-  json["seed"] = seed_of(flags);
-  context.emit(files.records(), files.diagnostics(), json, text_result(comparison));
+  context.emit(files.records(), files.diagnostics(), json_result(comparison),
+               text_result(comparison), seed_of(flags));
 }
 
 int run_scenario(const Flags& flags, const Context& context) {
@@ -62,10 +62,10 @@ int run_scenario(const Flags& flags, const Context& context) {
   options.repeats = whole_number("--repeats", flags.repeats, options.repeats);
   options.threads = threads_of(flags);
   options.monitor = context.monitor;
-  Scenario scenario = *scenario_named(flags.scenario.value_or(scenario_names().front()));
+  InputFiles files(context.monitor);
+  Scenario scenario = scenario_to_compare(files, flags.scenario.value_or(scenario_names().front()));
   scenario.readings = whole_number("--readings", flags.readings, scenario.readings);
-  InputFiles no_files;
-  emit(flags, context, no_files, compare_methods(scenario, options));
+  emit(flags, context, files, compare_methods(scenario, options));
   return kDone;
 }
 
@@ -120,8 +120,10 @@ Command compare_command() {
       "judged on rows held out.";
   command.arguments = {
       {"SESSION", "session file (*.session.toml); without one, an arm is drawn", &flags->session},
-      {"--scenario", "the arm and its errors; romer if not given", &flags->scenario, "NAME", false,
-       scenario_names()},
+      {"--scenario",
+       fmt::format("the arm and its errors: {}, or a scenario file (*.scenario.toml)",
+                   fmt::join(scenario_names(), ", ")),
+       &flags->scenario, "NAME"},
       {"--methods", "only methods whose names match this pattern; may be repeated", &flags->methods,
        "GLOB"},
       {"--seed",
@@ -158,6 +160,7 @@ Command compare_command() {
       {"--markdown", "write the table here, for a page", &flags->markdown, "FILE"}};
   command.examples = {
       "armcal compare --scenario romer --methods cmm --methods paper-*",
+      "armcal compare --scenario examples/scenarios/digitizer.scenario.toml --methods cmm",
       "armcal compare examples/calibration/tracker.session.toml --methods least-squares*",
       "armcal compare --paper-sphere --repeats 5"};
   command.run = [flags](const Context& context) { return run_compare(*flags, context); };

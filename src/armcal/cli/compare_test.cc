@@ -34,6 +34,36 @@ TEST(CompareCommand, TakesSeedRepeatsAndScenario) {
   EXPECT_EQ(json["methods"][0]["arms"], 2);
 }
 
+TEST(CompareCommand, DrawsItsArmsFromAScenarioFile) {
+  const auto result = tool({"compare", "--methods", "nominal", "--methods", "cmm", "--json",
+                            "--scenario", example("scenarios/digitizer.scenario.toml")});
+  ASSERT_EQ(result.code, kDone) << result.err;
+  const Json json = result.json();
+  EXPECT_GE(json["inputs"].size(), 2u);  // the scenario and its drawing
+  const auto rms = [&](std::size_t row) {
+    return json["methods"][row]["point_rms_mm"].get<double>();
+  };
+  EXPECT_GT(rms(0), 3.0 * rms(1));
+}
+
+TEST(CompareCommand, NamesTheScenariosThatThereAre) {
+  const auto result = tool({"compare", "--scenario", "romeo"});
+  EXPECT_EQ(result.code, kWrongInput);
+  EXPECT_THAT(result.err, HasSubstr("no scenario is called \"romeo\"; built in: romer, "));
+}
+
+TEST(CompareCommand, WantsToDrawTheTruthItself) {
+  const testing::TemporaryFolder folder;
+  const std::string arm = example("arms/romer-infinite-2.0.arm.toml");
+  const std::string file =
+      folder.write("given.scenario.toml",
+                   "schema = \"armcal.scenario/1\"\nname = \"given\"\narm = \"" + arm +
+                       "\"\ntruth = \"" + arm + "\"\n[[measure]]\nwith = \"reference_cmm\"\n");
+  const auto result = tool({"compare", "--scenario", file});
+  EXPECT_EQ(result.code, kWrongInput);
+  EXPECT_THAT(result.err, HasSubstr("the arms to compare on are drawn: leave out \"truth\""));
+}
+
 TEST(CompareCommand, GivesEveryMethodTheBudgetThatIsAskedFor) {
   const auto rms = [](const std::string& readings) {
     const Json json =

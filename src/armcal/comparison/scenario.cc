@@ -97,7 +97,7 @@ std::optional<Scenario> scenario_named(std::string_view name) {
 }
 
 Bench bench_of(const Scenario& scenario, std::uint64_t seed) {
-  return {.arm = VirtualArm(scenario.nominal, scenario.errors, seed),
+  return {.arm = VirtualArm(scenario.nominal, scenario.errors, seed, scenario.surroundings),
           .seed = seed,
           .readings = scenario.readings,
           .u_reference_mm = scenario.u_reference_mm};

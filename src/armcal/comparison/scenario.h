@@ -17,6 +17,7 @@ struct Scenario {
   std::string title;
   ArmModel nominal;
   ErrorSources errors;
+  Surroundings surroundings;
   int readings = 120;
   double u_reference_mm = 0.005;
 };

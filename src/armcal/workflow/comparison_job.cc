@@ -2,10 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "armcal/workflow/comparison_job.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
+#include <stdexcept>
 
 #include "armcal/observations/check_split.h"
 #include "armcal/workflow/calibration_job.h"
+#include "armcal/workflow/simulation_job.h"
 
 namespace armcal {
 namespace {
@@ -18,6 +23,25 @@ Eigen::Index held_out_rows(const std::vector<ObservationGroup>& groups) {
 }
 
 }  // namespace
+
+Scenario scenario_to_compare(InputFiles& files, const std::string& name_or_path) {
+  if (auto built_in = scenario_named(name_or_path)) return std::move(*built_in);
+  if (!name_or_path.ends_with(".toml")) {
+    throw std::invalid_argument(
+        fmt::format("no scenario is called \"{}\"; built in: {}; or name a file, *.scenario.toml",
+                    name_or_path, fmt::join(scenario_names(), ", ")));
+  }
+  const LoadedScenario loaded = load_scenario(files, name_or_path);
+  if (loaded.truth) {
+    throw std::invalid_argument(
+        fmt::format("{}: the arms to compare on are drawn: leave out \"truth\"", name_or_path));
+  }
+  return {.name = name_or_path,
+          .title = loaded.scenario.name,
+          .nominal = loaded.nominal,
+          .errors = loaded.scenario.errors,
+          .surroundings = loaded.scenario.surroundings};
+}
 
 SessionComparison run_session_comparison(InputFiles& files, const std::string& path,
                                          const SessionComparisonOptions& options) {
