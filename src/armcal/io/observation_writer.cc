@@ -37,12 +37,19 @@ class TableText {
 
   [[nodiscard]] std::string text(Eigen::Index rows) const {
     std::string text;
-    for (const Column& column : columns_) text += (text.empty() ? "" : ",") + column.header;
+    for (const Column& column : columns_) {
+      if (!text.empty()) text += ',';
+      text += column.header;
+    }
     text += '\n';
     for (Eigen::Index row = 0; row < rows; ++row) {
       std::string line;
-      for (const Column& column : columns_) line += (line.empty() ? "" : ",") + column.field(row);
-      text += line + '\n';
+      for (const Column& column : columns_) {
+        if (!line.empty()) line += ',';
+        line += column.field(row);
+      }
+      text += line;
+      text += '\n';
     }
     return text;
   }

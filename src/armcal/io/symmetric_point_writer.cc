@@ -181,20 +181,29 @@ std::string raw_points_csv(const SymmetricReading& reading) {
     std::string row = has_ends ? fmt::format("{},", points.end[i]) : "";
     row += point_fields(points.points_mm[i]);
     if (has_angles) {
-      row += "," + angle_fields(points.encoder_rad.col(static_cast<Eigen::Index>(i)));
+      row += ',';
+      row += angle_fields(points.encoder_rad.col(static_cast<Eigen::Index>(i)));
     }
-    if (has_setting) row += "," + angle_field(points.setting_rad[i]);
+    if (has_setting) {
+      row += ',';
+      row += angle_field(points.setting_rad[i]);
+    }
     rows.push_back(std::move(row));
   }
   // A reader takes equal rows for a copy; a counter says that they are repeats.
   const bool has_counter = any_row_repeats(rows);
   std::string text = has_ends ? "end,x_mm,y_mm,z_mm" : "x_mm,y_mm,z_mm";
   const Eigen::Index joints = is_planned ? reading.posture_rad.size() : points.encoder_rad.rows();
-  if (has_angles && joints > 0) text += "," + angle_header(joints);
+  if (has_angles && joints > 0) {
+    text += ',';
+    text += angle_header(joints);
+  }
   if (has_setting) text += fmt::format(",q{}_deg", reading.joint);
   text += has_counter ? ",repeat\n" : "\n";
   for (std::size_t i = 0; i < count; ++i) {
-    text += rows[i] + (has_counter ? fmt::format(",{}\n", i + 1) : "\n");
+    text += rows[i];
+    if (has_counter) text += fmt::format(",{}", i + 1);
+    text += '\n';
   }
   return text;
 }
