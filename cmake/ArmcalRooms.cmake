@@ -13,7 +13,7 @@ add_custom_target(room_order ALL
 add_library(armcal_common_headers OBJECT EXCLUDE_FROM_ALL ${PROJECT_SOURCE_DIR}/cmake/precompiled.cc)
 target_precompile_headers(armcal_common_headers PRIVATE
   <Eigen/Core> <algorithm> <functional> <map> <optional> <string> <vector>)
-target_link_libraries(armcal_common_headers PRIVATE armcal_compiler Eigen3::Eigen)
+target_link_libraries(armcal_common_headers PRIVATE armcal_compiler armcal_watched Eigen3::Eigen)
 
 function(armcal_room name)
   cmake_parse_arguments(ROOM "" "" "FILES;LINKS;PRIVATE_LINKS" ${ARGN})
@@ -47,7 +47,7 @@ function(armcal_room name)
   target_compile_features(armcal_${name} PUBLIC cxx_std_20)
   target_link_libraries(armcal_${name}
     PUBLIC ${ROOM_LINKS}
-    PRIVATE $<BUILD_INTERFACE:armcal_compiler> ${ROOM_PRIVATE_LINKS})
+    PRIVATE $<BUILD_INTERFACE:armcal_compiler> $<BUILD_INTERFACE:armcal_watched> ${ROOM_PRIVATE_LINKS})
   target_precompile_headers(armcal_${name} REUSE_FROM armcal_common_headers)
   add_dependencies(armcal_${name} room_order)
   set_property(GLOBAL APPEND PROPERTY ARMCAL_ROOMS armcal_${name})
@@ -57,6 +57,11 @@ function(armcal_room name)
     target_precompile_headers(armcal_${name}_test REUSE_FROM armcal_test_headers)
     target_link_libraries(armcal_${name}_test PRIVATE
       armcal_${name} armcal_testing armcal_compiler rapidcheck rapidcheck_gtest GTest::gmock GTest::gtest_main)
+    if(ARMCAL_SANITIZERS)
+      # Of inline functions the linker keeps the copy that it meets first: that of the room, which is watched.
+      target_link_options(armcal_${name}_test PRIVATE
+        -Wl,--whole-archive $<TARGET_FILE:armcal_${name}> -Wl,--no-whole-archive)
+    endif()
     add_test(NAME ${name} COMMAND armcal_${name}_test)
     set_tests_properties(${name} PROPERTIES TIMEOUT 300)
   endif()
