@@ -21,7 +21,7 @@ struct Bench {
   double u_length_mm = 0.001;     ///< of a calibrated length
   Monitor monitor;
 
-  [[nodiscard]] double u_encoder_rad() const { return arm.errors().encoder_noise.u_rad; }
+  [[nodiscard]] double u_encoder_rad() const { return arm.errors().encoder_noise.u_reading_rad(); }
   /// A laboratory of its own for one method: what others measure does not change what it finds
   /// there.
   [[nodiscard]] Laboratory laboratory() const {

@@ -11,7 +11,7 @@
 #include "armcal/geometry/registration.h"
 #include "armcal/io/symmetric_point_file.h"
 #include "armcal/numerics/linear_algebra.h"
-#include "armcal/simulation/empty_group.h"
+#include "armcal/observations/empty_group.h"
 #include "armcal/workflow/calibration_job.h"
 #include "armcal/workflow/enough_readings.h"
 
@@ -123,10 +123,8 @@ class Simulator {
     result_.drawing_error_mm = drawing_error_mm(postures, tips_mm);
   }
 
-  // Standard uncertainty of a reading: noise, and rounding to steps.
   [[nodiscard]] double u_encoder_rad() const {
-    const EncoderNoise& noise = scenario_.errors.encoder_noise;
-    return std::sqrt(noise.u_rad * noise.u_rad + noise.step_rad * noise.step_rad / 12.0);
+    return scenario_.errors.encoder_noise.u_reading_rad();
   }
 
   void tell_encoder_noise() {

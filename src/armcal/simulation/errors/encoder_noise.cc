@@ -13,6 +13,10 @@ EncoderNoise EncoderNoise::typical() {
   return {.u_rad = radians_from_arcseconds(1.5), .step_rad = 2.0 * std::numbers::pi / 8388608.0};
 }
 
+double EncoderNoise::u_reading_rad() const {
+  return std::sqrt(u_rad * u_rad + step_rad * step_rad / 12.0);
+}
+
 double shown_reading(double encoder_rad, const EncoderNoise& noise, RandomStream& random) {
   double shown = encoder_rad;
   if (noise.u_rad > 0.0) shown += noise.u_rad * random.normal();

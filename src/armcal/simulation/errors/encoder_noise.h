@@ -13,6 +13,8 @@ struct EncoderNoise {
   double step_rad = 0.0;  ///< quantisation: readings are multiples of this; 0: none
 
   [[nodiscard]] bool is_on() const { return u_rad > 0.0 || step_rad > 0.0; }
+  /// Standard uncertainty of a reading: noise, and rounding to steps.
+  [[nodiscard]] double u_reading_rad() const;
   /// 1.5 arcsec and 2^23 steps per turn: the class of commercial arms, whose repeatability needs 1
   /// to 2 arcsec.
   [[nodiscard]] static EncoderNoise typical();

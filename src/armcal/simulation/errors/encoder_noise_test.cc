@@ -35,7 +35,8 @@ TEST(EncoderNoise, HasTheStatedStandardDeviation) {
   }
   // Noise and a rectangle of one step together; 20,000 readings know both to 1 %.
   EXPECT_NEAR(sum / kReadings, 0.0, 4e-7);
-  EXPECT_NEAR(std::sqrt(sum2 / kReadings), std::sqrt(1e-10 + 4e-10 / 12.0), 3e-7);
+  EXPECT_NEAR(noise.u_reading_rad(), std::sqrt(1e-10 + 4e-10 / 12.0), 1e-15);
+  EXPECT_NEAR(std::sqrt(sum2 / kReadings), noise.u_reading_rad(), 3e-7);
 }
 
 }  // namespace
