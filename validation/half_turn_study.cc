@@ -19,8 +19,8 @@
 #include "armcal/numerics/linear_algebra.h"
 #include "armcal/planning/d_optimal_exchange.h"
 #include "armcal/planning/reliability.h"
+#include "armcal/simulation/measuring_arms.h"
 #include "armcal/testing/half_turn_trial.h"
-#include "armcal/testing/measuring_arms.h"
 #include "armcal/testing/wang2016_arm.h"
 
 namespace {
@@ -36,13 +36,6 @@ constexpr std::uint64_t kSeed = 1;
 double grid_rad(int grid_deg) { return radians_from_degrees(grid_deg); }
 std::string grid_name(int grid_deg) {
   return grid_deg == 0 ? "any angle" : fmt::format("multiples of {} deg", grid_deg);
-}
-
-AdjustmentOptions everything(const ArmModel& arm) {
-  AdjustmentOptions options;
-  options.unknowns.resize(static_cast<std::size_t>(ParameterTable(arm).size()));
-  std::iota(options.unknowns.begin(), options.unknowns.end(), 0);
-  return options;
 }
 
 HalfTurnWishes distances_alone(int readings, int grid_deg) {
@@ -62,7 +55,7 @@ void print_rank_of(const char* name, const ArmModel& arm, const std::vector<int>
   wishes.room.joints = joints;
   Rejections rejections;
   const auto turns = half_turn_candidates(arm, wishes.room, 1000, kSeed, rejections);
-  const auto seen = determined_parameters(arm, readings_of(arm, turns, wishes), everything(arm));
+  const auto seen = determined_parameters(arm, readings_of(arm, turns, wishes));
   fmt::print("{:<12} {:<14} {:>9} {:>5} {:>8.1f}\n", name,
              joints.empty() ? "all" : fmt::format("{}", fmt::join(joints, " ")), turns.size(),
              seen.unknowns.size(), seen.condition_number);
@@ -75,7 +68,7 @@ void print_rank() {
        std::vector<std::vector<int>>{{}, {1}, {1, 2}, {2}, {1, 3, 5}, {3, 4, 5, 6}, {5}, {6}}) {
     print_rank_of("six joints", romer, joints);
   }
-  const ArmModel seven = testing::seven_joint_arm();
+  const ArmModel seven = seven_joint_arm();
   for (const std::vector<int>& joints : std::vector<std::vector<int>>{{}, {1}, {1, 3, 5, 7}}) {
     print_rank_of("seven joints", seven, joints);
   }
@@ -113,7 +106,7 @@ Figures greedy_figures(const ArmModel& arm, const HalfTurnWishes& wishes) {
   Rejections rejections;
   const auto turns = half_turn_candidates(arm, wishes.room, kCandidates, wishes.seed, rejections);
   const auto readings = readings_of(arm, turns, wishes);
-  const auto unknowns = determined_parameters(arm, readings, everything(arm)).unknowns;
+  const auto unknowns = determined_parameters(arm, readings).unknowns;
   const Eigen::MatrixXd design = design_matrix(arm, readings)(Eigen::all, unknowns);
   const Eigen::MatrixXd chosen = design(greedy_choice(design, wishes.readings), Eigen::all);
   const auto factor = inverse_factor(chosen);
@@ -162,8 +155,7 @@ double reference_points_um(const ArmModel& arm, const std::vector<int>& unknowns
   for (int i = 0; i < points; ++i) {
     const PosturePair& pair = pairs[static_cast<std::size_t>(i / 2)];
     const Eigen::VectorXd& posture = i % 2 == 0 ? pair.first_rad : pair.second_rad;
-    const TipLinearisation at =
-        kinematics.linearise({posture.data(), static_cast<std::size_t>(posture.size())});
+    const TipLinearisation at = kinematics.linearise(as_span(posture));
     design.block(3 * i, 0, 3, p) = at.J_tip_parameters(Eigen::all, unknowns);
     design.block(3 * i, p, 3, 3).setIdentity();
     for (int axis = 0; axis < 3; ++axis) {
@@ -224,7 +216,7 @@ void add_trial(const HalfTurnPlan& plan, std::uint64_t seed, const std::vector<P
 
 void print_paper(const ArmModel& arm) {
   auto readings = testing::wang2016_readings();
-  const auto seen = determined_parameters(arm, readings, everything(arm));
+  const auto seen = determined_parameters(arm, readings);
   const ParameterTable table(arm);
   std::vector<std::string> names;
   for (const int unknown : seen.unknowns) names.push_back(table[unknown].name);
@@ -300,7 +292,7 @@ void print_trials(int seeds) {
   }
   HalfTurnWishes wishes;
   wishes.readings = 50;
-  print_trials_of("seven joints", testing::seven_joint_arm(), wishes, seeds);
+  print_trials_of("seven joints", seven_joint_arm(), wishes, seeds);
 }
 
 // --- Gross errors

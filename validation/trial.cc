@@ -95,10 +95,7 @@ void measure_held_out_points(const Scenario& scenario, const Estimate& estimated
 
 Plan plan_of(const Scenario& scenario, std::uint64_t seed, double noise_factor) {
   Plan plan{.scenario = &scenario, .seed = seed, .noise_factor = noise_factor};
-  plan.drawing = scenario.nominal;
-  for (Joint& joint : plan.drawing.joints) {
-    joint.harmonics.resize(static_cast<std::size_t>(harmonics_of(scenario)));
-  }
+  plan.drawing = with_harmonics(scenario.nominal, harmonics_of(scenario));
   const ParameterTable table(plan.drawing);
   std::vector<int> everything;
   for (int i = 0; i < table.size(); ++i) everything.push_back(i);

@@ -10,6 +10,7 @@
 #include "armcal/arm/forward_kinematics.h"
 #include "armcal/core/invariant.h"
 #include "armcal/core/units.h"
+#include "armcal/numerics/linear_algebra.h"
 
 namespace armcal {
 namespace {
@@ -84,8 +85,7 @@ std::optional<Eigen::Matrix3d> first_frame(const ArmModel& pattern, double angle
 }  // namespace
 
 AxesAtPosture axes_at(const ArmModel& arm, const Eigen::VectorXd& encoder_rad) {
-  const TipLinearisation at = ForwardKinematics(arm).linearise(
-      {encoder_rad.data(), static_cast<std::size_t>(encoder_rad.size())});
+  const TipLinearisation at = ForwardKinematics(arm).linearise(as_span(encoder_rad));
   AxesAtPosture result{{}, at.tip_mm, encoder_rad};
   for (Eigen::Index i = 0; i < encoder_rad.size(); ++i) {
     result.axes.push_back({at.joint_origins_mm.col(i), at.joint_axes.col(i)});

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 
 namespace armcal {
@@ -77,6 +78,13 @@ double reach_mm(const ArmModel& arm) {
   double reach = std::hypot(arm.tip.a_mm, arm.tip.b_mm, arm.tip.d_mm);
   for (const Link& link : arm.links) reach += std::hypot(link.a_mm, link.b_mm, link.d_mm);
   return reach;
+}
+
+ArmModel with_harmonics(ArmModel arm, int harmonics) {
+  for (Joint& joint : arm.joints) {
+    joint.harmonics.resize(std::max(joint.harmonics.size(), static_cast<std::size_t>(harmonics)));
+  }
+  return arm;
 }
 
 }  // namespace armcal

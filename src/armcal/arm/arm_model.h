@@ -86,4 +86,7 @@ struct ArmModel {
 /// Longest conceivable distance of the tip from the first axis: sum of all offsets, mm.
 [[nodiscard]] double reach_mm(const ArmModel& arm);
 
+/// The arm with at least so many Fourier terms of every encoder, new ones 0.
+[[nodiscard]] ArmModel with_harmonics(ArmModel arm, int harmonics);
+
 }  // namespace armcal

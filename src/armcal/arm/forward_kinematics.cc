@@ -12,6 +12,7 @@
 #include "armcal/arm/encoder.h"
 #include "armcal/arm/parameter_table.h"
 #include "armcal/core/invariant.h"
+#include "armcal/numerics/linear_algebra.h"
 
 namespace armcal {
 
@@ -172,6 +173,15 @@ void ForwardKinematics::linearise(std::span<const double> encoder_rad,
     J.col(alpha) = Eigen::Vector3d(J.col(alpha)).cross(lever);
     J.col(alpha + 1) = Eigen::Vector3d(J.col(alpha + 1)).cross(lever);
   }
+}
+
+std::vector<Eigen::Vector3d> tips_in_base(const ArmModel& arm, const Eigen::MatrixXd& encoder_rad) {
+  const ForwardKinematics kinematics(arm);
+  std::vector<Eigen::Vector3d> tips_mm;
+  for (Eigen::Index i = 0; i < encoder_rad.cols(); ++i) {
+    tips_mm.push_back(kinematics.tip_in_base(as_span(encoder_rad.col(i))));
+  }
+  return tips_mm;
 }
 
 }  // namespace armcal

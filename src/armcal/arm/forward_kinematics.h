@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <span>
+#include <vector>
 
 #include "armcal/arm/arm_model.h"
 #include "armcal/geometry/rigid_transform.h"
@@ -67,5 +68,9 @@ class ForwardKinematics {
   std::array<PreparedLink, kMaxJoints> links_{};
   Eigen::Matrix3d joint_from_tip_rotation_;
 };
+
+/// Tips of an arm. @param encoder_rad  a column for each
+[[nodiscard]] std::vector<Eigen::Vector3d> tips_in_base(const ArmModel& arm,
+                                                        const Eigen::MatrixXd& encoder_rad);
 
 }  // namespace armcal

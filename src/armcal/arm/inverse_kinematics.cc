@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "armcal/core/invariant.h"
+#include "armcal/numerics/linear_algebra.h"
 
 namespace armcal {
 namespace {
@@ -107,8 +108,7 @@ Eigen::VectorXd Search::elsewhere(const Eigen::VectorXd& encoder_rad, int number
 }
 
 Place Search::at(const Eigen::VectorXd& encoder_rad) {
-  kinematics_.linearise({encoder_rad.data(), static_cast<std::size_t>(encoder_rad.size())},
-                        workspace_);
+  kinematics_.linearise(as_span(encoder_rad), workspace_);
   Place place{encoder_rad, point_mm_ - workspace_.tip_mm,
               Eigen::Matrix3Xd::Zero(3, encoder_rad.size())};
   for (const Eigen::Index i : joints_) place.J_tip_joints.col(i) = workspace_.J_tip_encoder.col(i);

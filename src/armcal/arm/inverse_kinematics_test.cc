@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "armcal/numerics/linear_algebra.h"
 #include "armcal/testing/random_arms.h"
 #include "armcal/testing/wang2016_arm.h"
 
@@ -23,7 +24,7 @@ VectorXd posture(int joint_count, RandomStream& random, double range_rad = pi) {
 }
 
 Vector3d tip(const ForwardKinematics& kinematics, const VectorXd& e) {
-  return kinematics.tip_in_base({e.data(), static_cast<std::size_t>(e.size())});
+  return kinematics.tip_in_base(as_span(e));
 }
 
 // Two links of 300 and 200 mm in a plane: what a person can work out.

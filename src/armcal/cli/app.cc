@@ -43,7 +43,12 @@ Command tool(CommonFlags& flags) {
       {"--json", "print one JSON object instead of text", &flags.json},
       {"--force", "overwrite output files", &flags.force},
       {"--quiet", "no warnings, no progress", &flags.quiet},
-      {"--color", "colour messages", &flags.color, "WHEN", false, {"auto", "always", "never"}},
+      {"--color",
+       "colour messages",
+       &flags.color,
+       "WHEN",
+       NumberRange::any,
+       {"auto", "always", "never"}},
       {"--version", "print the version", &flags.version},
   };
   root.subcommands = all_commands();

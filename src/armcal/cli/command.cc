@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <ostream>
+#include <thread>
 
 namespace armcal::cli {
 namespace {
@@ -104,6 +105,10 @@ std::string help_text(const Command& command, const std::string& full_name) {
     for (const std::string& example : command.examples) text += "  " + example + "\n";
   }
   return text;
+}
+
+int threads_of(const std::optional<double>& typed) {
+  return count_or(typed, static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
 }
 
 }  // namespace armcal::cli

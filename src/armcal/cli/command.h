@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <iosfwd>
 #include <optional>
@@ -31,8 +32,9 @@ enum ExitCode : int {
 using Target = std::variant<bool*, std::string*, std::optional<std::string>*,
                             std::optional<double>*, std::vector<std::string>*>;
 
-/// What a number must be; it must be finite in any case.
-enum class NumberRange { any, positive, not_negative };
+/// What a number must be; it must be finite in any case. Counts are whole numbers from 1 to
+/// 1,000,000, seeds whole ones from 0 to 2^53.
+enum class NumberRange { any, positive, not_negative, count, seed };
 
 /// One flag or positional argument. This one definition feeds parsing, help and the check of
 /// mistyped flags.
@@ -40,15 +42,27 @@ struct Argument {
   std::string name;  ///< "ARM" (positional), "--scale", "-o,--output"
   std::string help;
   Target target;
-  std::string value_name = {};  ///< "FILE"; for flags with a value
-  bool required = false;        ///< positionals are required unless their target is optional
-  std::vector<std::string> choices = {};  ///< the only values allowed; empty: any
+  std::string value_name = {};            ///< "FILE"; for flags with a value
   NumberRange range = NumberRange::any;   ///< of a number
+  std::vector<std::string> choices = {};  ///< the only values allowed; empty: any
+  bool required = false;  ///< positionals are required unless their target is optional
 
   [[nodiscard]] bool is_positional() const { return name.front() != '-'; }
   /// Spellings of a flag: {"-o", "--output"}.
   [[nodiscard]] std::vector<std::string> spellings() const;
 };
+
+/// A count that was typed, or else.
+[[nodiscard]] inline int count_or(const std::optional<double>& typed, int otherwise) {
+  return typed ? static_cast<int>(*typed) : otherwise;
+}
+/// A seed that was typed, or else.
+[[nodiscard]] inline std::uint64_t seed_or(const std::optional<double>& typed,
+                                           std::uint64_t otherwise) {
+  return typed ? static_cast<std::uint64_t>(*typed) : otherwise;
+}
+/// So many threads as were typed, or one for every core.
+[[nodiscard]] int threads_of(const std::optional<double>& typed);
 
 /// What a running command may use.
 struct Context {

@@ -94,6 +94,14 @@ std::string check_numbers(const std::vector<const Argument*>& known) {
     if (argument->range == NumberRange::not_negative && value < 0.0) {
       return fmt::format("{}: must not be negative", typed);
     }
+    const bool is_seed = argument->range == NumberRange::seed;
+    if (!is_seed && argument->range != NumberRange::count) continue;
+    const double least = is_seed ? 0.0 : 1.0;
+    const double most = is_seed ? 9007199254740992.0 : 1e6;  // numbers are exact up to 2^53
+    if (value != std::floor(value) || value < least || value > most) {
+      return fmt::format("{}: must be a whole number from {} to {}", typed, least,
+                         is_seed ? "2^53" : "1000000");
+    }
   }
   return {};
 }

@@ -3,12 +3,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
-#include <thread>
 
 #include "armcal/cli/commands.h"
 #include "armcal/comparison/comparison.h"
@@ -29,42 +26,22 @@ struct Flags {
   std::optional<std::string> markdown;
 };
 
-/// @throws std::invalid_argument for "--repeats 2.5"
-int whole_number(const std::string& flag, const std::optional<double>& typed, int otherwise) {
-  if (!typed) return otherwise;
-  constexpr double kLargest = 1e6;
-  if (*typed != std::floor(*typed) || *typed > kLargest) {
-    throw std::invalid_argument(
-        fmt::format("{} {}: must be a whole number of at most {}", flag, *typed, kLargest));
-  }
-  return static_cast<int>(*typed);
-}
-
-int threads_of(const Flags& flags) {
-  const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
-  return whole_number("--threads", flags.threads, static_cast<int>(cores));
-}
-
-std::uint64_t seed_of(const Flags& flags) {
-  return static_cast<std::uint64_t>(whole_number("--seed", flags.seed, 1));
-}
-
 void emit(const Flags& flags, const Context& context, InputFiles& files, const auto& comparison) {
   if (flags.markdown) context.save(*flags.markdown, markdown_result(comparison), files.records());
   context.emit(files.records(), files.diagnostics(), json_result(comparison),
-               text_result(comparison), seed_of(flags));
+               text_result(comparison), seed_or(flags.seed, 1));
 }
 
 int run_scenario(const Flags& flags, const Context& context) {
   ComparisonOptions options;
   if (!flags.methods.empty()) options.methods = flags.methods;
-  options.seed = seed_of(flags);
-  options.repeats = whole_number("--repeats", flags.repeats, options.repeats);
-  options.threads = threads_of(flags);
+  options.seed = seed_or(flags.seed, 1);
+  options.repeats = count_or(flags.repeats, options.repeats);
+  options.threads = threads_of(flags.threads);
   options.monitor = context.monitor;
   InputFiles files(context.monitor);
   Scenario scenario = scenario_to_compare(files, flags.scenario.value_or(scenario_names().front()));
-  scenario.readings = whole_number("--readings", flags.readings, scenario.readings);
+  scenario.readings = count_or(flags.readings, scenario.readings);
   emit(flags, context, files, compare_methods(scenario, options));
   return kDone;
 }
@@ -76,8 +53,8 @@ int run_session(const Flags& flags, const Context& context) {
   }
   SessionComparisonOptions options;
   if (!flags.methods.empty()) options.methods = flags.methods;
-  options.seed = seed_of(flags);
-  options.threads = threads_of(flags);
+  options.seed = seed_or(flags.seed, 1);
+  options.threads = threads_of(flags.threads);
   options.monitor = context.monitor;
   InputFiles files(context.monitor);
   emit(flags, context, files, run_session_comparison(files, *flags.session, options));
@@ -89,9 +66,9 @@ int run_paper_sphere(const Flags& flags, const Context& context) {
     throw std::invalid_argument("--paper-sphere has its own arm and method");
   }
   PaperSphereOptions options;
-  options.arms = whole_number("--repeats", flags.repeats, options.arms);
-  options.seed = seed_of(flags);
-  options.threads = threads_of(flags);
+  options.arms = count_or(flags.repeats, options.arms);
+  options.seed = seed_or(flags.seed, 1);
+  options.threads = threads_of(flags.threads);
   options.monitor = context.monitor;
   InputFiles no_files;
   emit(flags, context, no_files, study_paper_sphere(options));
@@ -126,34 +103,13 @@ Command compare_command() {
        &flags->scenario, "NAME"},
       {"--methods", "only methods whose names match this pattern; may be repeated", &flags->methods,
        "GLOB"},
-      {"--seed",
-       "of the random numbers; 1 if not given",
-       &flags->seed,
-       "N",
-       false,
-       {},
-       NumberRange::not_negative},
-      {"--readings",
-       "budget of each method; 120 if not given",
-       &flags->readings,
-       "N",
-       false,
-       {},
-       NumberRange::positive},
-      {"--repeats",
-       "so many arms, and medians over them",
-       &flags->repeats,
-       "N",
-       false,
-       {},
-       NumberRange::positive},
-      {"--threads",
-       "at most so many; never changes a digit (but of times); all cores if not given",
-       &flags->threads,
-       "N",
-       false,
-       {},
-       NumberRange::positive},
+      {"--seed", "of the random numbers; 1 if not given", &flags->seed, "N", NumberRange::seed},
+      {"--readings", "budget of each method; 120 if not given", &flags->readings, "N",
+       NumberRange::count},
+      {"--repeats", "so many arms, and medians over them", &flags->repeats, "N",
+       NumberRange::count},
+      {"--threads", "at most so many; never changes a digit (but of times); all cores if not given",
+       &flags->threads, "N", NumberRange::count},
       {"--paper-sphere",
        "instead: which effect that the 2016 paper neglects explains the error of its sphere",
        &flags->paper_sphere},

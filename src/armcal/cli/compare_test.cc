@@ -119,7 +119,10 @@ TEST(CompareCommand, RefusesWhatDoesNotGoTogether) {
               HasSubstr("--scenario, --repeats and --readings are for drawn arms"));
   EXPECT_EQ(tool({"compare", session, "--repeats", "2"}).code, kWrongInput);
   EXPECT_EQ(tool({"compare", session, "--paper-sphere"}).code, kWrongInput);
-  EXPECT_THAT(tool({"compare", "--repeats", "2.5"}).err, HasSubstr("must be a whole number"));
+  EXPECT_THAT(tool({"compare", "--repeats", "2.5"}).err,
+              HasSubstr("--repeats 2.5: must be a whole number from 1 to 1000000"));
+  EXPECT_THAT(tool({"compare", "--seed", "-1"}).err,
+              HasSubstr("--seed -1: must be a whole number from 0 to 2^53"));
   EXPECT_EQ(tool({"compare", "--scenario", "nobody"}).code, kWrongInput);
   const auto misspelt = tool({"compare", "--methods", "trackr"});
   EXPECT_EQ(misspelt.code, kWrongInput);

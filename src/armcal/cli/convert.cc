@@ -67,12 +67,12 @@ Command convert_command() {
       "of.";
   command.arguments = joined(
       {{"INPUT", "description of an arm; - for standard input", &flags->input},
-       {"--to", "format to write", &flags->to, "FORMAT", false, arm_format_names()},
+       {"--to", "format to write", &flags->to, "FORMAT", NumberRange::any, arm_format_names()},
        {"--from",
         "convention of a D-H table; a spreadsheet does not tell its own",
         &flags->from,
         "FORMAT",
-        false,
+        NumberRange::any,
         {"dh-classic", "dh-modified"}},
        {"--chain", "links of a URDF between which the arm lies", &flags->chain, "BASE:TIP"},
        {"--csv", "write a D-H table as a spreadsheet (also by an output name *.csv)", &flags->csv},

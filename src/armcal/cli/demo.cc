@@ -39,8 +39,12 @@ Command demo_command() {
       "bar, "
       "and with a reference\n"
       "CMM; what the truth says of each.";
-  command.arguments = {
-      {"STORY", "which one; paper if not given", &flags->story, "", false, {"paper", "virtual"}}};
+  command.arguments = {{"STORY",
+                        "which one; paper if not given",
+                        &flags->story,
+                        "",
+                        NumberRange::any,
+                        {"paper", "virtual"}}};
   command.examples = {"armcal demo", "armcal demo paper --json", "armcal demo virtual"};
   command.run = [flags](const Context& context) { return run_demo(*flags, context); };
   return command;

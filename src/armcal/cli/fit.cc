@@ -72,17 +72,17 @@ Command fit_command() {
       "x_mm and y_mm alone). Exit code 4 where the points do not determine the element, with the "
       "reason.";
   command.arguments = joined(
-      {{"ELEMENT", "what to fit", &flags->element, "", true, {"circle", "sphere", "plane", "line"}},
+      {{"ELEMENT",
+        "what to fit",
+        &flags->element,
+        "",
+        NumberRange::any,
+        {"circle", "sphere", "plane", "line"}},
        {"POINTS.csv", "table of points; - for standard input", &flags->points},
        {"--plane-first", "circle: fit the plane first, then the circle of the projected points",
         &flags->plane_first},
-       {"--u",
-        "standard uncertainty of each coordinate, mm; else from the scatter",
-        &flags->u_mm,
-        "MM",
-        false,
-        {},
-        NumberRange::positive}},
+       {"--u", "standard uncertainty of each coordinate, mm; else from the scatter", &flags->u_mm,
+        "MM", NumberRange::positive}},
       flags->table.for_points());
   command.examples = {
       "armcal fit circle examples/points/gander1994.csv",

@@ -6,7 +6,6 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
-#include <thread>
 
 #include "armcal/cli/commands.h"
 #include "armcal/cli/table_flags.h"
@@ -27,16 +26,6 @@ struct HalfTurnFlags {
   std::optional<double> u_mm, u_encoder_arcsec, min_redundancy, detect_mm;
   std::optional<std::string> worksheet, output;
 };
-
-int whole(const char* flag, const std::optional<double>& typed, int otherwise, int least = 1) {
-  if (!typed) return otherwise;
-  constexpr double kMost = 1e6;
-  if (*typed != std::floor(*typed) || *typed < least || *typed > kMost) {
-    throw std::invalid_argument(
-        fmt::format("{} {}: expected a whole number from {} to {}", flag, *typed, least, kMost));
-  }
-  return static_cast<int>(*typed);
-}
 
 // "1,3,5"
 std::vector<double> numbers(const char* flag, const std::string& text) {
@@ -69,7 +58,11 @@ HalfTurnRoom room_of(const HalfTurnFlags& flags) {
   room.grid_rad = grid == "free" ? 0.0 : radians_from_degrees(grid == "90" ? 90.0 : 45.0);
   if (flags.joints) {
     for (const double joint : numbers("--joints", *flags.joints)) {
-      room.joints.push_back(whole("--joints", joint, 0));
+      if (joint != std::floor(joint) || joint < 1.0 || joint > kMaxJoints) {
+        throw std::invalid_argument(
+            fmt::format("--joints {}: {} is no joint; they count from 1", *flags.joints, joint));
+      }
+      room.joints.push_back(static_cast<int>(joint));
     }
   }
   if (flags.volume) room.volume = volume_of(*flags.volume);
@@ -81,20 +74,19 @@ HalfTurnRoom room_of(const HalfTurnFlags& flags) {
 
 HalfTurnWishes wishes_of(const HalfTurnFlags& flags) {
   HalfTurnWishes wishes;
-  wishes.readings = whole("--readings", flags.readings, wishes.readings);
+  wishes.readings = count_or(flags.readings, wishes.readings);
   wishes.room = room_of(flags);
-  wishes.candidates = whole("--candidates", flags.candidates, wishes.candidates);
+  wishes.candidates = count_or(flags.candidates, wishes.candidates);
   wishes.u_mm = flags.u_mm.value_or(wishes.u_mm);
   if (flags.u_encoder_arcsec) {
     wishes.u_encoder_rad = radians_from_arcseconds(*flags.u_encoder_arcsec);
   }
-  wishes.repeats = whole("--repeats", flags.repeats, wishes.repeats);
+  wishes.repeats = count_or(flags.repeats, wishes.repeats);
   wishes.least_redundancy = flags.min_redundancy.value_or(wishes.least_redundancy);
   wishes.largest_unnamed_mm = flags.detect_mm.value_or(wishes.largest_unnamed_mm);
-  wishes.starts = whole("--starts", flags.starts, wishes.starts);
-  wishes.seed = static_cast<std::uint64_t>(whole("--seed", flags.seed, 1, 0));
-  const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  wishes.threads = whole("--threads", flags.threads, cores);
+  wishes.starts = count_or(flags.starts, wishes.starts);
+  wishes.seed = seed_or(flags.seed, 1);
+  wishes.threads = threads_of(flags.threads);
   return wishes;
 }
 
@@ -125,20 +117,15 @@ std::vector<Argument> flags_of_room(HalfTurnFlags& flags) {
            "posture angles: multiples of 90 or 45 deg, or free (default 45)",
            &flags.grid,
            "GRID",
-           false,
+           NumberRange::any,
            {"90", "45", "free"}},
           {"--joints", "joints that may be turned: 1,3,5 (default: all)", &flags.joints, "LIST"},
           {"--volume",
            "box of the reference machine in the base frame, mm: both tips of every half turn lie "
            "inside (default: no limit)",
            &flags.volume, "X1,X2,Y1,Y2,Z1,Z2"},
-          {"--column-radius",
-           "the arm's own column about the first axis, mm",
-           &flags.column_radius_mm,
-           "MM",
-           false,
-           {},
-           NumberRange::not_negative},
+          {"--column-radius", "the arm's own column about the first axis, mm",
+           &flags.column_radius_mm, "MM", NumberRange::not_negative},
           {"--column-top", "height to which it reaches, from the origin of joint 1, mm",
            &flags.column_top_mm, "MM"},
           {"--bench", "height of the bench, from the origin of joint 1, mm (default: none)",
@@ -146,36 +133,16 @@ std::vector<Argument> flags_of_room(HalfTurnFlags& flags) {
 }
 
 std::vector<Argument> flags_of_readings(HalfTurnFlags& flags) {
-  return {{"--u-mm",
-           "standard uncertainty of a distance (default 0.005)",
-           &flags.u_mm,
-           "MM",
-           false,
-           {},
+  return {{"--u-mm", "standard uncertainty of a distance (default 0.005)", &flags.u_mm, "MM",
            NumberRange::positive},
-          {"--u-encoder-arcsec",
-           "standard uncertainty of one reading of one encoder (default 2)",
-           &flags.u_encoder_arcsec,
-           "ARCSEC",
-           false,
-           {},
-           NumberRange::not_negative},
+          {"--u-encoder-arcsec", "standard uncertainty of one reading of one encoder (default 2)",
+           &flags.u_encoder_arcsec, "ARCSEC", NumberRange::not_negative},
           {"--repeats", "readings of the encoders at each end, averaged (default 5)",
-           &flags.repeats, "N"},
-          {"--min-redundancy",
-           "least redundancy number of every reading (default 0.1)",
-           &flags.min_redundancy,
-           "SHARE",
-           false,
-           {},
-           NumberRange::not_negative},
-          {"--detect-mm",
-           "an error of this size in any one reading must be found and named",
-           &flags.detect_mm,
-           "MM",
-           false,
-           {},
-           NumberRange::positive}};
+           &flags.repeats, "N", NumberRange::count},
+          {"--min-redundancy", "least redundancy number of every reading (default 0.1)",
+           &flags.min_redundancy, "SHARE", NumberRange::not_negative},
+          {"--detect-mm", "an error of this size in any one reading must be found and named",
+           &flags.detect_mm, "MM", NumberRange::positive}};
 }
 
 Command half_turns_command() {
@@ -191,13 +158,17 @@ Command half_turns_command() {
       "readings, and predicts rank, uncertainties, redundancy and length error.";
   command.arguments = joined(
       joined(joined({{"ARM", "arm file (*.arm.toml), with joint limits", &flags->arm},
-                     {"--readings", "half turns to be read (default 40)", &flags->readings, "N"}},
+                     {"--readings", "half turns to be read (default 40)", &flags->readings, "N",
+                      NumberRange::count}},
                     flags_of_room(*flags)),
              flags_of_readings(*flags)),
-      {{"--candidates", "half turns to choose from (default 4000)", &flags->candidates, "N"},
-       {"--starts", "random starts of the exchange (default 8)", &flags->starts, "N"},
-       {"--seed", "of chance (default 1)", &flags->seed, "N"},
-       {"--threads", "never changes a digit (default: all cores)", &flags->threads, "N"},
+      {{"--candidates", "half turns to choose from (default 4000)", &flags->candidates, "N",
+        NumberRange::count},
+       {"--starts", "random starts of the exchange (default 8)", &flags->starts, "N",
+        NumberRange::count},
+       {"--seed", "of chance (default 1)", &flags->seed, "N", NumberRange::seed},
+       {"--threads", "never changes a digit (default: all cores)", &flags->threads, "N",
+        NumberRange::count},
        {"--worksheet", "write the worksheet here, as Markdown (.md) or CSV", &flags->worksheet,
         "FILE"},
        {"-o,--output",

@@ -61,13 +61,8 @@ Command register_command() {
       joined({{"A.csv", "points x_mm,y_mm,z_mm", &flags->first},
               {"B.csv", "the same points in the other frame", &flags->second},
               {"--scale", "estimate a common scale too", &flags->scale},
-              {"--u",
-               "standard uncertainty of each coordinate of B, mm; else from the scatter",
-               &flags->u_mm,
-               "MM",
-               false,
-               {},
-               NumberRange::positive}},
+              {"--u", "standard uncertainty of each coordinate of B, mm; else from the scatter",
+               &flags->u_mm, "MM", NumberRange::positive}},
              flags->table.for_points());
   command.examples = {
       "armcal register examples/points/frame-a.csv examples/points/frame-b.csv",

@@ -1,8 +1,5 @@
 // SPDX-FileCopyrightText: the armcal authors
 // SPDX-License-Identifier: Apache-2.0
-#include <fmt/format.h>
-
-#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -36,15 +33,6 @@ int list_scenarios(const Context& context) {
   return kDone;
 }
 
-std::uint64_t seed_of(double typed) {
-  constexpr double kLargest = 9007199254740992.0;  // whole numbers are exact up to here
-  if (typed != std::floor(typed) || typed > kLargest) {
-    throw std::invalid_argument(
-        fmt::format("--seed {}: must be a whole number of at most 2^53", typed));
-  }
-  return static_cast<std::uint64_t>(typed);
-}
-
 int run_simulate(const Flags& flags, const Context& context) {
   if (flags.list) return list_scenarios(context);
   if (flags.file.has_value() == flags.scenario.has_value()) {
@@ -59,7 +47,7 @@ int run_simulate(const Flags& flags, const Context& context) {
   const LoadedScenario loaded =
       load_scenario(files, flags.scenario ? built_in_scenario(*flags.scenario).path : *flags.file);
   const Simulation simulation =
-      simulate(loaded, flags.seed ? seed_of(*flags.seed) : loaded.scenario.seed, context.monitor);
+      simulate(loaded, seed_or(flags.seed, loaded.scenario.seed), context.monitor);
   const SimulationFiles written = simulation_files(simulation, loaded.scenario);
   for (const FileText& file : written.files) {
     context.require_no_input((std::filesystem::path(*flags.folder) / file.path).string(),
@@ -88,13 +76,8 @@ Command simulate_command() {
       {"SCENARIO", "scenario file (*.scenario.toml)", &flags->file},
       {"--scenario", "a built-in scenario instead of a file", &flags->scenario, "NAME"},
       {"-o,--output", "write the files into this folder", &flags->folder, "FOLDER"},
-      {"--seed",
-       "draw another arm and other readings; default: that of the scenario",
-       &flags->seed,
-       "N",
-       false,
-       {},
-       NumberRange::not_negative},
+      {"--seed", "draw another arm and other readings; default: that of the scenario", &flags->seed,
+       "N", NumberRange::seed},
       {"--list", "name the built-in scenarios", &flags->list}};
   command.examples = {"armcal simulate --list", "armcal simulate --scenario romer -o my-romer",
                       "armcal simulate examples/scenarios/digitizer.scenario.toml -o my-digitizer "

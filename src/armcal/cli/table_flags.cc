@@ -26,7 +26,12 @@ std::vector<Argument> TableFlags::for_angles() {
   return {
       {"--map", "our column names by those of the file (or column numbers): q1_deg=A1,q2_deg=A2",
        &map, "OURS=THEIRS"},
-      {"--angles", "unit of angle columns that name none", &angles, "UNIT", false, {"deg", "rad"}}};
+      {"--angles",
+       "unit of angle columns that name none",
+       &angles,
+       "UNIT",
+       NumberRange::any,
+       {"deg", "rad"}}};
 }
 
 std::vector<Argument> TableFlags::for_points() {

@@ -11,6 +11,7 @@
 #include "armcal/comparison/name_choice.h"
 #include "armcal/comparison/task_queue.h"
 #include "armcal/core/diagnostics.h"
+#include "armcal/numerics/median.h"
 
 namespace armcal {
 namespace {
@@ -44,12 +45,6 @@ Outcome outcome_of(const Method& method, const Bench& bench, const Judge& judge)
     outcome.problem = first_line(reason.what());
   }
   return outcome;
-}
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t half = values.size() / 2;
-  return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
 }
 
 ComparisonRow row_of(const Method& method, const std::vector<const Outcome*>& outcomes) {

@@ -67,16 +67,13 @@ ArmObjective::ArmObjective(const ArmModel& nominal, std::span<const ObservationG
       nuisances_(nominal, {}) {
   const bool closed = can_be_closed(groups);
   if (closed) add_seats(groups);
-  for (const bool lengths : {false, true}) {  // lengths start from points that others give
-    for (const ObservationGroup& group : groups) {
-      if ((group.kind == ReferenceKind::length) != lengths) continue;
-      if (closed && is_seat_or_length(group)) {
-        if (lengths) add_distances(group);
-        continue;
-      }
-      for (auto& residual : residuals_of(group, false, nuisances_)) {
-        others_.push_back(std::move(residual));
-      }
+  for (const ObservationGroup& group : groups) {
+    if (closed && is_seat_or_length(group)) {
+      if (group.kind == ReferenceKind::length) add_distances(group);
+      continue;
+    }
+    for (auto& residual : residuals_of(group, false, nuisances_)) {
+      others_.push_back(std::move(residual));
     }
   }
   if (seats_.empty() && others_.empty()) throw std::invalid_argument("there are no readings");
@@ -175,13 +172,11 @@ double ArmObjective::of_others(const ArmModel& arm, std::string* problem) const 
     unknowns.add(nuisance.name, nuisance.kind);
   Eigen::VectorXd x = unknowns.start();
   const ArmAt at{arm, TipRows(arm, {})};
+  const std::string refusal = start_all(others_, at, unknowns, x);
+  if (problem != nullptr) *problem = refusal;
+  if (!refusal.empty()) return kNowhere;
   std::vector<const Residual*> residuals;
-  for (const auto& residual : others_) {
-    residuals.push_back(residual.get());
-    const auto refusal = residual->start(at, unknowns, x);
-    if (refusal && problem != nullptr) *problem += (problem->empty() ? "" : "; ") + *refusal;
-    if (refusal) return kNowhere;
-  }
+  for (const auto& residual : others_) residuals.push_back(residual.get());
   const EstimationProblem fit(residuals, unknowns, {});
   if (fit.unknown_count() == 0) return residuals_at(fit, x).squaredNorm();
   const LeastSquaresSolution placed =

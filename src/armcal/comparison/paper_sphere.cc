@@ -7,12 +7,12 @@
 #include <numbers>
 #include <optional>
 
-#include "armcal/comparison/scenario.h"
 #include "armcal/comparison/symmetric_readings.h"
 #include "armcal/comparison/task_queue.h"
 #include "armcal/comparison/wang2016_evaluation.h"
 #include "armcal/core/diagnostics.h"
 #include "armcal/core/units.h"
+#include "armcal/simulation/measuring_arms.h"
 #include "armcal/simulation/symmetric_procedure.h"
 #include "armcal/verification/sphere_test.h"
 
@@ -126,7 +126,7 @@ struct Trial {
 };
 
 std::optional<Trial> trial_of(const Effect& effect, std::uint64_t seed) {
-  const ArmModel nominal = scenario_named("romer")->nominal;
+  const ArmModel nominal = romer_arm();
   try {
     Laboratory calibrating(VirtualArm(nominal, effect.calibrating, seed), seed);
     const SymmetricPointProcedure procedure =

@@ -36,14 +36,9 @@ class Readings {
     }
     start = unknowns.start();
     const ArmAt at{nominal, TipRows(nominal, unknowns.columns())};
-    for (const bool lengths : {false, true}) {  // lengths start from points that others give
-      for (const auto& residual : residuals_) {
-        if ((residual->group().kind == ReferenceKind::length) != lengths) continue;
-        if (const auto problem = residual->start(at, unknowns, start))
-          throw NumericalError(*problem);
-        pointers_.push_back(residual.get());
-      }
-    }
+    const std::string problems = start_all(residuals_, at, unknowns, start);
+    if (!problems.empty()) throw NumericalError(problems);
+    for (const auto& residual : residuals_) pointers_.push_back(residual.get());
     weigh_all(residuals_, unknowns, start);
   }
 

@@ -5,11 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "armcal/arm/estimability.h"
 #include "armcal/arm/forward_kinematics.h"
-#include "armcal/arm/parameter_table.h"
+#include "armcal/comparison/true_values.h"
 #include "armcal/geometry/registration.h"
-#include "armcal/simulation/empty_group.h"
 #include "armcal/simulation/laboratory.h"
 
 namespace armcal {
@@ -19,16 +17,6 @@ namespace {
 constexpr int kPostures = 900001;
 constexpr int kNoise = 900002;
 constexpr Eigen::Index kPosturesForParameters = 150;
-
-std::vector<Eigen::Vector3d> tips(const ArmModel& arm, const Eigen::MatrixXd& encoder_rad) {
-  const ForwardKinematics kinematics(arm);
-  std::vector<Eigen::Vector3d> tips;
-  for (const auto& posture : encoder_rad.colwise()) {
-    tips.push_back(
-        kinematics.tip_in_base({posture.data(), static_cast<std::size_t>(posture.size())}));
-  }
-  return tips;
-}
 
 // Distances that remain after the best rigid registration.
 std::vector<double> misses(const std::vector<Eigen::Vector3d>& found,
@@ -79,7 +67,7 @@ Score Judge::score(const FoundArm& found) const {
 }
 
 void Judge::judge_points(const FoundArm& found, Score& score) const {
-  const std::vector<Eigen::Vector3d> found_mm = tips(found.arm, encoder_rad_);
+  const std::vector<Eigen::Vector3d> found_mm = tips_in_base(found.arm, encoder_rad_);
   const std::vector<double> points = misses(found_mm, true_mm_);
   score.point_rms_mm = rms(points);
   score.point_max_mm = *std::max_element(points.begin(), points.end());
@@ -90,37 +78,19 @@ void Judge::judge_points(const FoundArm& found, Score& score) const {
     lengths.push_back((found_mm[i] - found_mm[j]).norm() - (true_mm_[i] - true_mm_[j]).norm());
   }
   score.length_rms_mm = rms(lengths);
-  score.noise_ratio = rms(misses(tips(found.arm, shown_rad_), reference_mm_)) / noise_floor_mm_;
+  score.noise_ratio =
+      rms(misses(tips_in_base(found.arm, shown_rad_), reference_mm_)) / noise_floor_mm_;
 }
 
 void Judge::judge_intervals(const FoundArm& found, Score& score) const {
   if (found.u.size() == 0) return;
-  const ParameterTable table(found.arm);
-  CalibrationOptions options;
-  for (int i = 0; i < table.size(); ++i) {
-    const bool is_free = std::find(found.free.begin(), found.free.end(), i) != found.free.end();
-    if (!is_free) options.hold.push_back(table[i].name);
-  }
   const Eigen::Index count = std::min(encoder_rad_.cols(), kPosturesForParameters);
-  ObservationGroup group = empty_group(ReferenceKind::reference_points, "truth",
-                                       static_cast<int>(count), found.arm.joint_count(), 0.0);
-  group.encoder_rad = encoder_rad_.leftCols(count);
-  group.place.assign(static_cast<std::size_t>(count), "truth");
-  group.reference_mm.resize(3, count);
-  for (Eigen::Index i = 0; i < count; ++i)
-    group.reference_mm.col(i) = true_mm_[static_cast<std::size_t>(i)];
-  const Calibration truth = calibrate(found.arm, {&group, 1}, options);
-  if (!truth.ok()) return;
-  constexpr double k95 = 1.959963984540054;
-  for (std::size_t i = 0; i < found.free.size(); ++i) {
-    const int index = found.free[i];
-    // What only moves the base, or what these parameters cannot tell apart, has no true value.
-    if (std::find(truth.free.begin(), truth.free.end(), index) == truth.free.end()) continue;
-    const double true_value = truth.parameters[static_cast<std::size_t>(index)].value;
-    const double error = table[index].nominal - true_value;
-    ++score.intervals;
-    if (std::abs(error) <= k95 * found.u(static_cast<Eigen::Index>(i))) ++score.inside;
-  }
+  const Eigen::VectorXd truth =
+      true_values(found.arm, found.free, encoder_rad_.leftCols(count),
+                  std::span(true_mm_).first(static_cast<std::size_t>(count)));
+  const IntervalCount judged = count_intervals(found.arm, found.free, found.u, truth);
+  score.intervals = judged.count;
+  score.inside = judged.inside;
 }
 
 }  // namespace armcal

@@ -22,13 +22,6 @@
 namespace armcal {
 namespace {
 
-ArmModel with_harmonics(ArmModel arm, int harmonics) {
-  for (Joint& joint : arm.joints) {
-    joint.harmonics.resize(std::max(joint.harmonics.size(), static_cast<std::size_t>(harmonics)));
-  }
-  return arm;
-}
-
 bool is_held_by_user(const std::string& name, const std::vector<std::string>& patterns) {
   return std::any_of(patterns.begin(), patterns.end(),
                      [&](const std::string& pattern) { return matches_glob(name, pattern); });
@@ -112,16 +105,7 @@ class Calibrator {
     for (const auto& residual : residuals_) pointers_.push_back(residual.get());
     x_ = unknowns_.start();
     const ArmAt at{unknowns_.nominal(), TipRows(unknowns_.nominal(), unknowns_.columns())};
-    std::string problems;
-    // Lengths start from points that other groups give.
-    for (const bool lengths : {false, true}) {
-      for (const auto& residual : residuals_) {
-        if ((residual->group().kind == ReferenceKind::length) != lengths) continue;
-        if (const auto problem = residual->start(at, unknowns_, x_)) {
-          problems += (problems.empty() ? "" : "; ") + *problem;
-        }
-      }
-    }
+    const std::string problems = start_all(residuals_, at, unknowns_, x_);
     if (!problems.empty()) return fail(CalibrationStatus::cannot_start, problems);
     weigh_all(residuals_, unknowns_, x_);
     const auto before = residuals_of_observations(pointers_, unknowns_, x_);

@@ -14,6 +14,7 @@
 #include "armcal/arm/forward_kinematics.h"
 #include "armcal/arm/parameter_table.h"
 #include "armcal/core/units.h"
+#include "armcal/numerics/linear_algebra.h"
 
 namespace armcal {
 namespace {
@@ -251,8 +252,7 @@ class Analyser {
     double count = 0.0;
     for_each_row([&](Eigen::Index row, Eigen::Index) {
       const Eigen::VectorXd e = group_.encoder_rad.col(row);
-      const Eigen::Vector3d tip =
-          kinematics.tip_in_base({e.data(), static_cast<std::size_t>(e.size())});
+      const Eigen::Vector3d tip = kinematics.tip_in_base(as_span(e));
       squares += (result_.reference_from_base * tip - group_.reference_mm.col(row)).squaredNorm();
       count += 1.0;
     });

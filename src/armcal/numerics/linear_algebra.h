@@ -15,6 +15,13 @@ namespace armcal {
 [[nodiscard]] inline std::span<const double> as_span(const Eigen::VectorXd& vector) {
   return {vector.data(), static_cast<std::size_t>(vector.size())};
 }
+void as_span(Eigen::VectorXd&&) = delete;  // they would be gone
+/// Those of a column of a matrix.
+template <class Matrix>
+[[nodiscard]] std::span<const double> as_span(
+    const Eigen::Block<Matrix, Eigen::Dynamic, 1, true>& column) {
+  return {column.data(), static_cast<std::size_t>(column.size())};
+}
 
 /// Rounding of a sum of squares, as a share of it.
 inline constexpr double kSumRounding = 1e-13;

@@ -9,7 +9,8 @@
 #include <numbers>
 
 #include "armcal/arm/forward_kinematics.h"
-#include "armcal/testing/measuring_arms.h"
+#include "armcal/numerics/linear_algebra.h"
+#include "armcal/simulation/measuring_arms.h"
 #include "armcal/testing/wang2016_arm.h"
 
 namespace armcal {
@@ -23,12 +24,11 @@ std::vector<HalfTurn> candidates(const ArmModel& arm, const HalfTurnRoom& room, 
 }
 
 Eigen::Vector3d tip(const ArmModel& arm, const Eigen::VectorXd& posture) {
-  return ForwardKinematics(arm).tip_in_base(
-      {posture.data(), static_cast<std::size_t>(posture.size())});
+  return ForwardKinematics(arm).tip_in_base(as_span(posture));
 }
 
 TEST(HalfTurnCandidates, TurnOneJointByHalfATurnWithinItsStops) {
-  const ArmModel arm = testing::seven_joint_arm();
+  const ArmModel arm = seven_joint_arm();
   for (const double grid_deg : {90.0, 45.0, 0.0}) {
     HalfTurnRoom room;
     room.grid_rad = radians_from_degrees(grid_deg);

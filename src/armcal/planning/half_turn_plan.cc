@@ -27,13 +27,6 @@ namespace {
 constexpr int kFreeHalfTurns = 400;
 constexpr int kPairs = 1000;
 
-AdjustmentOptions everything(const ArmModel& arm) {
-  AdjustmentOptions options;
-  options.unknowns.resize(static_cast<std::size_t>(ParameterTable(arm).size()));
-  std::iota(options.unknowns.begin(), options.unknowns.end(), 0);
-  return options;
-}
-
 // Names of what a free arm would show and these half turns do not.
 std::vector<std::string> unseen(const ArmModel& arm, const DeterminedParameters& seen,
                                 const HalfTurnWishes& wishes) {
@@ -46,8 +39,7 @@ std::vector<std::string> unseen(const ArmModel& arm, const DeterminedParameters&
   room.grid_rad = 0.0;
   Rejections none;
   const auto turns = half_turn_candidates(free, room, kFreeHalfTurns, wishes.seed, none);
-  const DeterminedParameters best =
-      determined_parameters(arm, readings_of(arm, turns, wishes), everything(arm));
+  const DeterminedParameters best = determined_parameters(arm, readings_of(arm, turns, wishes));
   const ParameterTable table(arm);
   std::vector<std::string> names;
   for (const int unknown : best.unknowns) {
@@ -81,8 +73,7 @@ std::vector<int> seen_unknowns(const HalfTurnPlan& plan,
   if (candidates.empty()) {
     throw ImpossiblePlan(fmt::format("no half turn is possible: {}", explain(plan.rejections)));
   }
-  const DeterminedParameters seen =
-      determined_parameters(plan.arm, candidates, everything(plan.arm));
+  const DeterminedParameters seen = determined_parameters(plan.arm, candidates);
   if (const auto missing = unseen(plan.arm, seen, plan.wishes); !missing.empty()) {
     throw ImpossiblePlan(fmt::format("{} ({} found) do not determine {}; {}",
                                      joints_of(plan.wishes.room), plan.candidates,
@@ -225,6 +216,22 @@ double HalfTurnPlan::largest_unnamed_mm() const {
   double largest = 0.0;
   for (const PlannedReading& reading : readings) largest = std::max(largest, reading.nameable_mm);
   return largest;
+}
+
+SymmetricPointProcedure procedure_of(const HalfTurnPlan& plan) {
+  SymmetricPointProcedure procedure;
+  procedure.unknowns = {"*"};
+  procedure.u_encoder_rad = plan.wishes.u_encoder_rad;
+  for (const PlannedReading& planned : plan.readings) {
+    SymmetricReading reading;
+    reading.name = planned.name;
+    reading.kind = SymmetricKind::reversal;
+    reading.joint = planned.turn.joint;
+    reading.posture_rad = planned.turn.posture_rad;
+    reading.posture_end_rad = planned.turn.posture_end_rad;
+    procedure.readings.push_back(std::move(reading));
+  }
+  return procedure;
 }
 
 std::vector<SymmetricReading> readings_of(const ArmModel& arm, const std::vector<HalfTurn>& turns,

@@ -69,6 +69,9 @@ struct HalfTurnPlan {
   [[nodiscard]] double largest_unnamed_mm() const;
 };
 
+/// The half turns of a plan as readings to be taken of all that they determine.
+[[nodiscard]] SymmetricPointProcedure procedure_of(const HalfTurnPlan& plan);
+
 /// Chooses half turns (choose_observations), orders them (reading_order, walk_through) and predicts
 /// what they will give. theory/complete_symmetric_point.md.
 /// @throws ImpossiblePlan where a wish cannot be fulfilled, with the reason

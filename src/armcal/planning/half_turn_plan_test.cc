@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "armcal/simulation/measuring_arms.h"
 #include "armcal/testing/half_turn_trial.h"
-#include "armcal/testing/measuring_arms.h"
 #include "armcal/testing/wang2016_arm.h"
 
 // A short form of the study in docs/theory/complete_symmetric_point.md; its tables are printed by
@@ -42,7 +42,7 @@ TEST(HalfTurnPlan, DeterminesAll4nMinus3Parameters) {
   EXPECT_EQ(six.rank(), 21);
   EXPECT_EQ(six.readings.size(), 40u);
   EXPECT_LT(six.condition_number, 13.0);
-  const HalfTurnPlan seven = plan_half_turns(testing::seven_joint_arm(), quick(45));
+  const HalfTurnPlan seven = plan_half_turns(seven_joint_arm(), quick(45));
   EXPECT_EQ(seven.rank(), 25);
 }
 
@@ -87,7 +87,7 @@ TEST(HalfTurnPlan, KeepsToItsLimits) {
 }
 
 TEST(HalfTurnPlan, StaysWithinStopsVolumeAndSurroundings) {
-  const ArmModel arm = testing::seven_joint_arm();
+  const ArmModel arm = seven_joint_arm();
   HalfTurnWishes wishes = quick(45);
   wishes.room.volume = MeasuringVolume{{-1000, -1000, -200}, {1000, 1000, 1200}};
   wishes.room.surroundings = {.column_radius_mm = 70.0, .column_top_mm = 200.0, .bench_mm = -250.0};
@@ -157,7 +157,7 @@ TEST(HalfTurnPlan, RefusesADetectionThatTheInstrumentsForbid) {
 // d8, which is nearly along b7: condition number 12000 instead of 29, and no convergence in one of
 // a hundred arms.
 TEST(HalfTurnPlan, ItsUnknownsStayWellDeterminedOnABuiltArm) {
-  const ArmModel arm = testing::seven_joint_arm();
+  const ArmModel arm = seven_joint_arm();
   const HalfTurnPlan plan = plan_half_turns(arm, quick(45));
   std::vector<HalfTurn> turns;
   for (const PlannedReading& reading : plan.readings) turns.push_back(reading.turn);

@@ -8,7 +8,7 @@
 #include <numeric>
 
 #include "armcal/planning/half_turn_walk.h"
-#include "armcal/testing/measuring_arms.h"
+#include "armcal/simulation/measuring_arms.h"
 #include "armcal/testing/wang2016_arm.h"
 
 namespace armcal {
@@ -71,7 +71,7 @@ TEST(HalfTurnWalk, LeavesIdleJointsWhereTheyAre) {
 }
 
 TEST(HalfTurnWalk, KeepsToStopsVolumeAndWhatIsAsGood) {
-  const ArmModel arm = testing::seven_joint_arm();
+  const ArmModel arm = seven_joint_arm();
   const auto turns = candidates(arm, 40);
   HalfTurnRoom room;
   room.surroundings.bench_mm = -2000.0;

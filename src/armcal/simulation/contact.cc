@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "armcal/arm/forward_kinematics.h"
+#include "armcal/numerics/linear_algebra.h"
 
 namespace armcal {
 namespace {
@@ -15,8 +16,7 @@ constexpr int kAttempts = 200;
 bool stands_on_free_side(const ForwardKinematics& kinematics, const Eigen::VectorXd& posture,
                          const Feature& feature) {
   if (feature.outward.isZero()) return true;
-  const TipLinearisation at =
-      kinematics.linearise({posture.data(), static_cast<std::size_t>(posture.size())});
+  const TipLinearisation at = kinematics.linearise(as_span(posture));
   const Eigen::Vector3d wrist = at.joint_origins_mm.rightCols<1>();
   return feature.outward.dot(wrist - feature.at_mm) > 0.0;
 }

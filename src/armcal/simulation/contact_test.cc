@@ -8,9 +8,10 @@
 #include "armcal/arm/forward_kinematics.h"
 #include "armcal/geometry/plane.h"
 #include "armcal/geometry/sphere.h"
+#include "armcal/numerics/linear_algebra.h"
 #include "armcal/simulation/artefacts/calibrated_sphere.h"
 #include "armcal/simulation/artefacts/flat_surface.h"
-#include "armcal/testing/seven_joint_arm.h"
+#include "armcal/simulation/measuring_arms.h"
 #include "armcal/testing/wang2016_arm.h"
 
 namespace armcal {
@@ -21,8 +22,7 @@ std::vector<TipLinearisation> tips_of(const ObservationGroup& group, const ArmMo
   std::vector<TipLinearisation> tips;
   for (Eigen::Index i = 0; i < group.count(); ++i) {
     const auto posture = group.encoder_rad.col(i);
-    tips.push_back(
-        kinematics.linearise({posture.data(), static_cast<std::size_t>(posture.size())}));
+    tips.push_back(kinematics.linearise(as_span(posture)));
   }
   return tips;
 }
@@ -34,7 +34,7 @@ std::vector<Eigen::Vector3d> points_of(const std::vector<TipLinearisation>& tips
 }
 
 TEST(Contact, WithASphereKeepsTheTipItsRadiusAwayAndTheWristOutside) {
-  for (const ArmModel& arm : {testing::nominal_romer(), testing::seven_joint_arm()}) {
+  for (const ArmModel& arm : {testing::nominal_romer(), seven_joint_arm()}) {
     Laboratory laboratory(VirtualArm(arm, arm, {}, 1), 3);
     const CalibratedSphere sphere{
         .diameter_mm = 40.0, .tip_radius_mm = 2.0, .placements = 1, .u_mm = 0.0};

@@ -9,6 +9,7 @@
 
 #include "armcal/arm/forward_kinematics.h"
 #include "armcal/identification/calibration.h"
+#include "armcal/numerics/linear_algebra.h"
 #include "armcal/simulation/artefacts/ball_bar.h"
 #include "armcal/simulation/artefacts/calibrated_sphere.h"
 #include "armcal/simulation/artefacts/cone_seat.h"
@@ -168,8 +169,7 @@ TEST(Noise, OfASeatIsThatOfEachCoordinate) {
   Eigen::Matrix3Xd tips(3, seat.count());
   for (Eigen::Index i = 0; i < seat.count(); ++i) {
     const auto posture = seat.encoder_rad.col(i);
-    tips.col(i) =
-        kinematics.tip_in_base({posture.data(), static_cast<std::size_t>(posture.size())});
+    tips.col(i) = kinematics.tip_in_base(as_span(posture));
   }
   const Eigen::Matrix3Xd off = tips.colwise() - tips.rowwise().mean();
   for (const auto& axis : off.rowwise()) {
@@ -190,8 +190,7 @@ TEST(Noise, OfEncodersEntersByWhatTheyShowAlone) {
   double predicted = 0.0;
   for (Eigen::Index i = 0; i < seat.count(); ++i) {
     const auto posture = seat.encoder_rad.col(i);
-    const TipLinearisation at =
-        kinematics.linearise({posture.data(), static_cast<std::size_t>(posture.size())});
+    const TipLinearisation at = kinematics.linearise(as_span(posture));
     tips.push_back(at.tip_mm);
     mean += at.tip_mm / static_cast<double>(seat.count());
     predicted += (1e-4 * at.J_tip_encoder).squaredNorm();
@@ -211,8 +210,7 @@ TEST(Noise, OfAPlatformIsInAnglesThatNobodyReads) {
   std::map<double, std::vector<double>> turns;
   for (Eigen::Index i = 0; i < group.count(); ++i) {
     const auto posture = group.encoder_rad.col(i);
-    const Eigen::Vector3d shown =
-        axis * kinematics.tip_in_base({posture.data(), static_cast<std::size_t>(posture.size())});
+    const Eigen::Vector3d shown = axis * kinematics.tip_in_base(as_span(posture));
     const Eigen::Vector3d real = axis * Eigen::Vector3d(group.reference_mm.col(i));
     EXPECT_NEAR(shown.z(), real.z(), 1e-8);
     turns[posture(0)].push_back(std::atan2(real.y(), real.x()) - std::atan2(shown.y(), shown.x()));

@@ -18,7 +18,7 @@
 #include "armcal/simulation/instruments/laser_tracker.h"
 #include "armcal/simulation/instruments/pose_tracker.h"
 #include "armcal/simulation/instruments/reference_cmm.h"
-#include "armcal/testing/seven_joint_arm.h"
+#include "armcal/simulation/measuring_arms.h"
 #include "armcal/testing/wang2016_arm.h"
 
 namespace armcal {
@@ -27,7 +27,7 @@ namespace {
 using Groups = std::vector<ObservationGroup>;
 
 ArmModel nominal_arm(int joints) {
-  return joints == 6 ? testing::nominal_romer() : testing::seven_joint_arm();
+  return joints == 6 ? testing::nominal_romer() : seven_joint_arm();
 }
 
 struct Method {

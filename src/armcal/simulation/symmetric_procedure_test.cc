@@ -9,10 +9,10 @@
 
 #include "armcal/arm/forward_kinematics.h"
 #include "armcal/arm/parameter_table.h"
+#include "armcal/simulation/measuring_arms.h"
 #include "armcal/symmetric_point/analysis.h"
 #include "armcal/symmetric_point/reading_model.h"
 #include "armcal/symmetric_point/reduction.h"
-#include "armcal/testing/seven_joint_arm.h"
 #include "armcal/testing/wang2016_arm.h"
 
 namespace armcal {
@@ -162,7 +162,7 @@ SymmetricPointProcedure one_half_turn(int joint, double at_deg) {
 }
 
 std::string refusal(const SymmetricPointProcedure& plan) {
-  const ArmModel arm = testing::seven_joint_arm();
+  const ArmModel arm = seven_joint_arm();
   Laboratory laboratory(VirtualArm(arm, arm, {}, 1), 6);
   try {
     static_cast<void>(carry_out(laboratory, plan, {}));
@@ -173,7 +173,7 @@ std::string refusal(const SymmetricPointProcedure& plan) {
 }
 
 TEST(SymmetricProcedure, KeepsToStops) {
-  const ArmModel arm = testing::seven_joint_arm();
+  const ArmModel arm = seven_joint_arm();
   Laboratory laboratory(VirtualArm(arm, arm, {}, 1), 6);
   // From 200 deg joint 4 can only be turned back; at its stop joint 2 is not set beyond it.
   for (const auto& plan : {one_half_turn(4, 200.0), one_half_turn(2, 120.0)}) {

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "armcal/arm/parameter_table.h"
+#include "armcal/numerics/linear_algebra.h"
 #include "armcal/testing/random_arms.h"
 #include "armcal/testing/wang2016_arm.h"
 
@@ -45,15 +46,12 @@ TEST(VirtualArm, WithoutErrorsIsItsDrawing) {
     const VirtualArm arm(drawing, {}, kSeed);
     EXPECT_EQ(parameter_values(arm.truth()), parameter_values(drawing));
     const VectorXd e = posture(joints, random);
-    const Vector3d tip =
-        ForwardKinematics(drawing).tip_in_base({e.data(), static_cast<std::size_t>(e.size())});
+    const Vector3d tip = ForwardKinematics(drawing).tip_in_base(as_span(e));
     EXPECT_LT((arm.tip(e, rough()) - tip).norm(), 1e-11);
     EXPECT_EQ(arm.shown(e, random), e);
     ArmModel bare = drawing;
     bare.tip.roll_pitch_yaw_rad.setZero();
-    const Eigen::Matrix3d turn = ForwardKinematics(bare)
-                                     .base_from_tip({e.data(), static_cast<std::size_t>(e.size())})
-                                     .rotation;
+    const Eigen::Matrix3d turn = ForwardKinematics(bare).base_from_tip(as_span(e)).rotation;
     EXPECT_LT((arm.base_from_last_joint(e, rough()) - turn).norm(), 1e-13);
   }
 }

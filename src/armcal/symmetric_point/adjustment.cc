@@ -364,6 +364,14 @@ Adjustment adjust(const ArmModel& nominal, std::span<const SymmetricReading> rea
 }
 
 DeterminedParameters determined_parameters(const ArmModel& arm,
+                                           std::span<const SymmetricReading> readings) {
+  AdjustmentOptions everything;
+  everything.unknowns.resize(static_cast<std::size_t>(ParameterTable(arm).size()));
+  std::iota(everything.unknowns.begin(), everything.unknowns.end(), 0);
+  return determined_parameters(arm, readings, everything);
+}
+
+DeterminedParameters determined_parameters(const ArmModel& arm,
                                            std::span<const SymmetricReading> readings,
                                            const AdjustmentOptions& options) {
   const ParameterTable table(arm);

@@ -104,6 +104,9 @@ struct DeterminedParameters {
 [[nodiscard]] DeterminedParameters determined_parameters(const ArmModel& arm,
                                                          std::span<const SymmetricReading> readings,
                                                          const AdjustmentOptions& options);
+/// The same, of all parameters of the arm.
+[[nodiscard]] DeterminedParameters determined_parameters(
+    const ArmModel& arm, std::span<const SymmetricReading> readings);
 
 /// Weighted least squares over all readings, starting from `nominal`, which also gives every
 /// parameter that is not estimated. Data snooping: the reading with the largest normalised residual

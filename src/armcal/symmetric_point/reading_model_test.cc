@@ -9,6 +9,7 @@
 #include "armcal/arm/forward_kinematics.h"
 #include "armcal/arm/parameter_table.h"
 #include "armcal/numerics/derivative_check.h"
+#include "armcal/numerics/linear_algebra.h"
 #include "armcal/testing/random_arms.h"
 #include "armcal/testing/wang2016_arm.h"
 
@@ -57,9 +58,7 @@ TEST(ReadingModel, ReversalIsTheDistanceOfTheTwoTips) {
   SymmetricReading reading = testing::reversal("r", 3, random_angles(6, random));
   reading.posture_end_rad = random_angles(6, random);  // any two postures
   const ForwardKinematics kinematics(arm);
-  const auto tip = [&](const Eigen::VectorXd& q) {
-    return kinematics.tip_in_base({q.data(), static_cast<std::size_t>(q.size())});
-  };
+  const auto tip = [&](const Eigen::VectorXd& q) { return kinematics.tip_in_base(as_span(q)); };
   EXPECT_NEAR(predict(arm, reading).value,
               (tip(reading.posture_rad) - tip(reading.posture_end_rad)).norm(), 1e-11);
 }

@@ -8,6 +8,8 @@
 #include "armcal/arm/forward_kinematics.h"
 #include "armcal/arm/inverse_kinematics.h"
 #include "armcal/arm/parameter_table.h"
+#include "armcal/numerics/linear_algebra.h"
+#include "armcal/observations/empty_group.h"
 #include "armcal/testing/random_arms.h"
 #include "armcal/testing/random_geometry.h"
 
@@ -24,15 +26,7 @@ SyntheticReadings::SyntheticReadings(ArmModel truth, std::uint64_t seed, double 
     : truth_(std::move(truth)), random_(seed, 77), noise_mm_(noise_mm) {}
 
 ObservationGroup SyntheticReadings::empty(ReferenceKind kind, const std::string& name, int rows) {
-  ObservationGroup group;
-  group.kind = kind;
-  group.name = name;
-  group.file = name + ".csv";
-  for (int i = 0; i < rows; ++i) group.lines.push_back(i + 2);
-  group.is_check.assign(static_cast<std::size_t>(rows), false);
-  group.u_mm = Eigen::VectorXd::Constant(rows, noise_mm_ > 0.0 ? noise_mm_ : 1.0);
-  group.encoder_rad.resize(truth_.joint_count(), rows);
-  return group;
+  return empty_group(kind, name, rows, truth_.joint_count(), noise_mm_ > 0.0 ? noise_mm_ : 1.0);
 }
 
 Eigen::Vector3d SyntheticReadings::noise() { return noise_mm_ * random_normal_vector(random_); }
@@ -42,7 +36,7 @@ Eigen::VectorXd SyntheticReadings::posture() {
 }
 
 Eigen::Vector3d SyntheticReadings::tip(const Eigen::VectorXd& e) const {
-  return ForwardKinematics(truth_).tip_in_base({e.data(), static_cast<std::size_t>(e.size())});
+  return ForwardKinematics(truth_).tip_in_base(as_span(e));
 }
 
 Eigen::Vector3d SyntheticReadings::reachable_point() {
@@ -84,9 +78,7 @@ ObservationGroup SyntheticReadings::reference_poses(int count, const std::string
   for (int i = 0; i < count; ++i) {
     const Eigen::VectorXd e = posture();
     group.encoder_rad.col(i) = e;
-    const RigidTransform pose =
-        reference_from_base *
-        kinematics.base_from_tip({e.data(), static_cast<std::size_t>(e.size())});
+    const RigidTransform pose = reference_from_base * kinematics.base_from_tip(as_span(e));
     group.reference_mm.col(i) = pose.translation_mm + noise();
     const Eigen::Vector3d turn = noise() / group.lever_mm;
     group.orientation.push_back(rotation_from_vector(turn) * pose.rotation * tip_from_target);
@@ -174,8 +166,7 @@ ObservationGroup SyntheticReadings::circle_radii(int count) {
     group.joint.push_back(joint);
     const Eigen::VectorXd e = posture();
     group.encoder_rad.col(i) = e;
-    const TipLinearisation at =
-        ForwardKinematics(truth_).linearise({e.data(), static_cast<std::size_t>(e.size())});
+    const TipLinearisation at = ForwardKinematics(truth_).linearise(as_span(e));
     const Eigen::Vector3d lever = at.tip_mm - at.joint_origins_mm.col(joint - 1);
     group.value_mm(i) = lever.cross(Eigen::Vector3d(at.joint_axes.col(joint - 1))).norm() +
                         noise_mm_ * random_.normal();

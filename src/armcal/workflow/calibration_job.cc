@@ -60,12 +60,7 @@ CalibrationOptions calibration_options(const SessionEstimate& estimate) {
 
 void check_estimate(const SessionEstimate& estimate, const std::string& file, const ArmModel& arm,
                     Diagnostics& diagnostics) {
-  ArmModel with_harmonics = arm;
-  for (Joint& joint : with_harmonics.joints) {
-    joint.harmonics.resize(
-        std::max(joint.harmonics.size(), static_cast<std::size_t>(estimate.harmonics)));
-  }
-  const ParameterTable table(with_harmonics);
+  const ParameterTable table(with_harmonics(arm, estimate.harmonics));
   for (const std::string& pattern : estimate.hold) {
     if (!table.matching(pattern).empty()) continue;
     diagnostics.error({file, 0, 0}, fmt::format("hold: no parameter matches \"{}\"", pattern),

@@ -7,7 +7,8 @@
 #include "armcal/arm/forward_kinematics.h"
 #include "armcal/core/random.h"
 #include "armcal/identification/residuals/residual.h"
-#include "armcal/simulation/empty_group.h"
+#include "armcal/numerics/linear_algebra.h"
+#include "armcal/observations/empty_group.h"
 
 namespace armcal {
 namespace {
@@ -28,8 +29,7 @@ int knowable_parameters(const ArmModel& nominal, const CalibrationOptions& optio
   group.reference_mm.resize(3, count);
   for (Eigen::Index i = 0; i < count; ++i) {
     for (double& angle : group.encoder_rad.col(i)) angle = random.uniform(-3.0, 3.0);
-    group.reference_mm.col(i) = kinematics.tip_in_base(
-        {group.encoder_rad.col(i).data(), static_cast<std::size_t>(nominal.joint_count())});
+    group.reference_mm.col(i) = kinematics.tip_in_base(as_span(group.encoder_rad.col(i)));
   }
   constexpr int kFrame = 6;
   return identifiability(nominal, {&group, 1}, options).rank - kFrame;

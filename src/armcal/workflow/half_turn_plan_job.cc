@@ -36,21 +36,12 @@ std::string readings_path(const std::string& procedure_path) {
 SymmetricPointProcedure planned_procedure(const HalfTurnPlan& plan,
                                           const std::string& procedure_path,
                                           const std::string& arm_path) {
-  SymmetricPointProcedure procedure;
+  SymmetricPointProcedure procedure = procedure_of(plan);
   procedure.file = procedure_path;
   procedure.arm_file = arm_path;
-  procedure.unknowns = {"*"};
-  procedure.u_encoder_rad = plan.wishes.u_encoder_rad;
-  for (const PlannedReading& planned : plan.readings) {
-    SymmetricReading reading;
-    reading.name = planned.name;
-    reading.kind = SymmetricKind::reversal;
-    reading.joint = planned.turn.joint;
-    reading.posture_rad = planned.turn.posture_rad;
-    reading.posture_end_rad = planned.turn.posture_end_rad;
+  for (SymmetricReading& reading : procedure.readings) {
     reading.raw = RawSymmetricPoints{};
     reading.raw->file = readings_path(procedure_path);
-    procedure.readings.push_back(std::move(reading));
   }
   return procedure;
 }

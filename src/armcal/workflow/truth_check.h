@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include "armcal/comparison/true_values.h"
 #include "armcal/identification/calibration.h"
 #include "armcal/workflow/simulation.h"
 
@@ -23,17 +24,10 @@ struct TruthCheck {
 /// @param simulation  with check rows (else std::invalid_argument)
 [[nodiscard]] TruthCheck check_against_truth(const ArmModel& arm, const Simulation& simulation);
 
-/// The true arm in the words of a calibration: what that held has the value that it was held at,
-/// and everything else is what moves the tips like the truth. A parameter that the readings do not
-/// see has no true value of its own, only together with others. In table order; NaN where also any
-/// number of points would not tell the parameter.
+/// True values of the parameters of a calibration, as comparison/true_values.h.
 [[nodiscard]] Eigen::VectorXd true_values(const Calibration& calibration, const ArmModel& truth);
 
-/// How many of the free parameters have the true value within their 95 % interval.
-struct IntervalCount {
-  int inside = 0;
-  int count = 0;
-};
+/// How many of its free parameters have the true value within their 95 % interval.
 [[nodiscard]] IntervalCount count_intervals(const Calibration& calibration, const ArmModel& truth);
 
 }  // namespace armcal

@@ -10,6 +10,7 @@
 
 #include "armcal/arm/parameter_table.h"
 #include "armcal/core/units.h"
+#include "armcal/numerics/linear_algebra.h"
 #include "armcal/report/number_format.h"
 #include "armcal/report/text_table.h"
 #include "armcal/workflow/calibration_job.h"
@@ -138,8 +139,7 @@ double scatter_mm(const ArmModel& arm, const ObservationGroup& cone) {
   const ForwardKinematics kinematics(arm);
   Eigen::Matrix3Xd tips_mm(3, cone.count());
   for (Eigen::Index i = 0; i < cone.count(); ++i) {
-    tips_mm.col(i) = kinematics.tip_in_base(
-        {cone.encoder_rad.col(i).data(), static_cast<std::size_t>(cone.encoder_rad.rows())});
+    tips_mm.col(i) = kinematics.tip_in_base(as_span(cone.encoder_rad.col(i)));
   }
   const Eigen::Vector3d mean_mm = tips_mm.rowwise().mean();
   return (tips_mm.colwise() - mean_mm).norm() / std::sqrt(static_cast<double>(cone.count()));

@@ -29,20 +29,7 @@ SymmetricPointProcedure planned(const Bench& bench, int half_turns) {
   // No blunders here, so nothing needs to be checked by others.
   wishes.least_redundancy = 0.0;
   wishes.room.surroundings = bench.arm.surroundings();
-  const HalfTurnPlan plan = plan_half_turns(bench.arm.nominal(), wishes, bench.monitor);
-  SymmetricPointProcedure procedure;
-  for (const PlannedReading& planned : plan.readings) {
-    SymmetricReading reading;
-    reading.name = planned.name;
-    reading.kind = SymmetricKind::reversal;
-    reading.joint = planned.turn.joint;
-    reading.posture_rad = planned.turn.posture_rad;
-    reading.posture_end_rad = planned.turn.posture_end_rad;
-    procedure.readings.push_back(std::move(reading));
-  }
-  procedure.unknowns = {"*"};
-  procedure.u_encoder_rad = bench.u_encoder_rad();
-  return procedure;
+  return procedure_of(plan_half_turns(bench.arm.nominal(), wishes, bench.monitor));
 }
 
 TakenReadings take(const Bench& bench, int half_turns) {

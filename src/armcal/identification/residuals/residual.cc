@@ -31,6 +31,20 @@ double Residual::largest_weight(Eigen::Index i) const {
   return whitening_ ? whitening_->largest_weight(i) : 1.0 / group_->u_mm(row(i));
 }
 
+std::string start_all(const std::vector<std::unique_ptr<Residual>>& residuals, const ArmAt& at,
+                      Unknowns& unknowns, Eigen::VectorXd& x) {
+  std::string problems;
+  for (const bool lengths : {false, true}) {
+    for (const auto& residual : residuals) {
+      if ((residual->group().kind == ReferenceKind::length) != lengths) continue;
+      if (const auto problem = residual->start(at, unknowns, x)) {
+        problems += (problems.empty() ? "" : "; ") + *problem;
+      }
+    }
+  }
+  return problems;
+}
+
 void weigh_all(const std::vector<std::unique_ptr<Residual>>& residuals, const Unknowns& unknowns,
                const Eigen::VectorXd& x) {
   const ArmModel arm = unknowns.arm_at(x);

@@ -88,6 +88,11 @@ class Residual {
 /// Most observations that are filled at once.
 inline constexpr Eigen::Index kObservationsPerBlock = 64;
 
+/// First values of what they bring along, lengths last: they start from points that others give.
+/// @return what stands in the way, one after the other; empty: nothing
+[[nodiscard]] std::string start_all(const std::vector<std::unique_ptr<Residual>>& residuals,
+                                    const ArmAt& at, Unknowns& unknowns, Eigen::VectorXd& x);
+
 /// Weighs all of them. theory/identification.md eq. (18)
 void weigh_all(const std::vector<std::unique_ptr<Residual>>& residuals, const Unknowns& unknowns,
                const Eigen::VectorXd& x);

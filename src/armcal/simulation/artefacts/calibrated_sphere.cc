@@ -7,8 +7,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "armcal/observations/empty_group.h"
 #include "armcal/simulation/artefacts/surface_readings.h"
-#include "armcal/simulation/empty_group.h"
 
 namespace armcal {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "armcal/observations/empty_group.h"
 #include "armcal/simulation/artefacts/surface_readings.h"
-#include "armcal/simulation/empty_group.h"
 
 namespace armcal {
 namespace {

@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <numbers>
 
+#include "armcal/observations/empty_group.h"
 #include "armcal/simulation/contact.h"
-#include "armcal/simulation/empty_group.h"
 
 namespace armcal {
 namespace {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "armcal/simulation/artefacts/seats.h"
 
+#include "armcal/observations/empty_group.h"
 #include "armcal/simulation/contact.h"
-#include "armcal/simulation/empty_group.h"
 
 namespace armcal {
 

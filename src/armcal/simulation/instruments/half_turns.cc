@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "armcal/geometry/circle.h"
-#include "armcal/simulation/empty_group.h"
+#include "armcal/observations/empty_group.h"
 
 namespace armcal {
 namespace {

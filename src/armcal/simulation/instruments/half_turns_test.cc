@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "armcal/arm/clearance.h"
-#include "armcal/testing/seven_joint_arm.h"
+#include "armcal/simulation/measuring_arms.h"
 #include "armcal/testing/wang2016_arm.h"
 
 namespace armcal {
@@ -28,7 +28,7 @@ std::string refusal(const ArmModel& arm, const Gesture& gesture) {
 }
 
 TEST(HalfTurns, TurnOneJointByHalfATurnWithinItsStops) {
-  const ArmModel arm = testing::seven_joint_arm();
+  const ArmModel arm = seven_joint_arm();
   Laboratory laboratory = laboratory_of(arm);
   const ObservationGroup group = measure(laboratory, HalfTurns{.count = 20, .u_mm = 0.0}).front();
   EXPECT_EQ(group.kind, ReferenceKind::reversal);
@@ -60,7 +60,7 @@ TEST(HalfTurns, AreOfTheJointsThatAreWanted) {
 }
 
 TEST(HalfTurns, AreRefusedBetweenStopsThatLeaveNoRoom) {
-  EXPECT_EQ(refusal(testing::seven_joint_arm(), HalfTurns{.joints = {2}}),
+  EXPECT_EQ(refusal(seven_joint_arm(), HalfTurns{.joints = {2}}),
             "half-turns: half turn of joint 2 is impossible: its stops are 180.0 deg apart");
   ArmModel stiff = testing::nominal_romer();
   for (Joint& joint : stiff.joints) {

@@ -10,7 +10,8 @@
 #include <numbers>
 
 #include "armcal/arm/forward_kinematics.h"
-#include "armcal/simulation/empty_group.h"
+#include "armcal/numerics/linear_algebra.h"
+#include "armcal/observations/empty_group.h"
 
 namespace armcal {
 namespace {
@@ -49,9 +50,7 @@ struct Home {
 
 // Longest chord of the arc that the tip draws about each joint: what its axis is known by.
 Home home_at(const VirtualArm& arm, const Eigen::VectorXd& posture, double span_rad) {
-  const TipLinearisation at =
-      ForwardKinematics(arm.nominal())
-          .linearise({posture.data(), static_cast<std::size_t>(posture.size())});
+  const TipLinearisation at = ForwardKinematics(arm.nominal()).linearise(as_span(posture));
   Home home{posture, {}};
   for (Eigen::Index j = 0; j < posture.size(); ++j) {
     home.ranges.push_back(free_range(arm, posture, j, span_rad));

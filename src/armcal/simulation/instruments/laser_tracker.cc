@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "armcal/simulation/instruments/laser_tracker.h"
 
-#include "armcal/simulation/empty_group.h"
+#include "armcal/observations/empty_group.h"
 #include "armcal/simulation/instruments/tracker_station.h"
 
 namespace armcal {

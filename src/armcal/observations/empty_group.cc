@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: the armcal authors
 // SPDX-License-Identifier: Apache-2.0
-#include "armcal/simulation/empty_group.h"
+#include "armcal/observations/empty_group.h"
 
 namespace armcal {
 
