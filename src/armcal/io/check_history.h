@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "armcal/core/utc_time.h"
 #include "armcal/io/sqlite_database.h"
-#include "armcal/io/utc_time.h"
 
 namespace armcal {
 

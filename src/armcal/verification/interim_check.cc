@@ -114,6 +114,27 @@ void check_positive(const std::optional<double>& value, const char* what,
   }
 }
 
+// A limit of something that is not measured would seem to be kept.
+void check_limits(const InterimCheckOptions& options, std::vector<std::string>& problems) {
+  const CheckLimits& limits = options.limits;
+  const bool of_seats = limits.deviation_mm || limits.twice_s_mm || limits.half_range_mm;
+  const bool of_spheres = limits.diameter_mm || limits.form_mm || options.tip_diameter_mm > 0.0;
+  if (options.diameter_mm && of_seats)
+    problems.emplace_back("a limit of deviation, 2 s or half range is for seats, not for spheres");
+  if (!options.diameter_mm && of_spheres) {
+    problems.emplace_back(
+        "a tip diameter, and a limit of form error, are for spheres, whose certified diameter is "
+        "missing");
+  }
+  if (limits.length_mm && !options.length_mm)
+    problems.emplace_back("a limit of the length error needs the certified length");
+  for (const auto limit :
+       {&CheckLimits::deviation_mm, &CheckLimits::twice_s_mm, &CheckLimits::half_range_mm,
+        &CheckLimits::diameter_mm, &CheckLimits::form_mm, &CheckLimits::length_mm}) {
+    check_positive(limits.*limit, "limit", problems);
+  }
+}
+
 }  // namespace
 
 std::string_view to_string(CheckKind kind) { return kind == CheckKind::seat ? "seat" : "sphere"; }
@@ -136,6 +157,7 @@ std::vector<std::string> problems_of(std::span<const TouchedPlace> places,
     problems.push_back(
         fmt::format("tip diameter {} mm: must not be negative", options.tip_diameter_mm));
   }
+  check_limits(options, problems);
   const CheckKind kind = options.diameter_mm ? CheckKind::sphere : CheckKind::seat;
   if (places.empty()) problems.emplace_back("no points");
   for (const TouchedPlace& place : places) {

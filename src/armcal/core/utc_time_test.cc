@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: the armcal authors
 // SPDX-License-Identifier: Apache-2.0
-#include "armcal/io/utc_time.h"
+#include "armcal/core/utc_time.h"
 
 #include <gtest/gtest.h>
 
