@@ -131,8 +131,8 @@ Command check_command() {
   command.arguments =
       joined(joined(arguments_of(*flags), flags->table.for_angles()), flags->table.for_suspects());
   command.examples = {
-      "armcal check examples/check/2026-06-22.csv --arm examples/arms/seven-joint.arm.toml "
-      "--length 500.012 --limit 0.10 --length-limit 0.08",
+      "armcal check examples/check/week-12.csv --arm examples/arms/seven-joint.arm.toml "
+      "--length 400 --limit 0.10 --length-limit 0.08",
       "armcal check examples/sphere/five-articulations.csv --arm "
       "examples/arms/romer-infinite-2.0.arm.toml --diameter 15.8754 --tip-diameter 6"};
   command.run = [flags](const Context& context) { return run_check_command(*flags, context); };
