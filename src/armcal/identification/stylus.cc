@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "armcal/identification/stylus.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
