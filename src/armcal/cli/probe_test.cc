@@ -64,12 +64,23 @@ TEST(ProbeCommand, AsksForEnoughReadings) {
   EXPECT_THAT(seven.err, HasSubstr("7 readings in the seat: 10 are advised"));
 }
 
-TEST(ProbeCommand, NamesWhatAStillWristLeavesOpen) {
+TEST(ProbeCommand, WarnsOfAWristThatHardlyTurns) {
   const auto result =
       tool({"probe", example("arms/romer-infinite-2.0.arm.toml"), example("sphere/still-wrist.csv"),
             "--sphere-diameter", "15.8754", "--tip-diameter", "6"});
+  EXPECT_EQ(result.code, kDone);
+  EXPECT_THAT(result.err, HasSubstr("the direction of a7 swings by no more than 1.2 deg"));
+  EXPECT_THAT(result.err, HasSubstr("turn every joint of the wrist"));
+}
+
+TEST(ProbeCommand, NamesWhatAStillWristLeavesOpen) {
+  const testing::TemporaryFolder folder;
+  std::string rows = "q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg,q7_deg\n";
+  for (int i = 0; i < 10; ++i) rows += "10,20,30,40,50,60," + std::to_string(0.001 * i) + "\n";
+  const auto result = tool({"probe", kArm, folder.write("still.csv", rows)});
   EXPECT_EQ(result.code, kNumericalFailure);
-  EXPECT_THAT(result.err, HasSubstr("is not determined: the direction of"));
+  EXPECT_THAT(result.err, HasSubstr("the readings do not determine a8, b8, d8: the direction of a8 "
+                                    "swings by no more than 0.0 deg"));
   EXPECT_THAT(result.err, HasSubstr("turn every joint of the wrist"));
 }
 

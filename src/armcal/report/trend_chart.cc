@@ -86,10 +86,11 @@ std::string legend(const CheckTrend& trend) {
                        trend.points.size());
   }
   std::string text =
-      fmt::format("  | centre {}, : 3 sigma of {} from it (first {} checks)",
+      fmt::format("  | centre {}, : 3 sigma (sigma {}, both of the first {} checks)",
                   fixed(trend.limits->center, 4), fixed(trend.limits->sigma, 4), trend.baseline);
   if (trend.limit_mm) text += fmt::format(", ] limit {}", fixed(*trend.limit_mm, 4));
-  return text + ", # breaks a rule\n";
+  if (!trend.violations.empty()) text += ", # breaks a rule";
+  return text + "\n";
 }
 
 std::string drift_line(const CheckTrend& trend) {

@@ -28,10 +28,16 @@ CheckTrend weekly(const std::vector<double>& values_mm) {
 }
 
 TEST(TrendChart, MarksEveryCheckBetweenItsLimits) {
-  EXPECT_EQ(trend_chart(weekly({0.00, 0.01, 0.00, 0.01, 0.04})),
-            "  check  date            mm\n"
-            "      1  2026-01-05  0.0000  [               :     *   |         :           ]\n"
-            "      2  2026-01-12  0.0100  x");
+  // 41 columns from one limit to the other, 0.0025 mm each: 0 is column 20, the centre 0.005 is 22;
+  // sigma 0.01 / 1.128, so 3 sigma lie at -0.0216 and 0.0316, columns 11 and 33.
+  EXPECT_THAT(trend_chart(weekly({0.00, 0.01, 0.00, 0.01, 0.04})),
+              ::testing::StartsWith(
+                  "  check  date            mm\n"
+                  "      1  2026-01-05  0.0000  [          :        * |          :      ]\n"
+                  "      2  2026-01-12  0.0100  [          :          | *        :      ]\n"
+                  "      3  2026-01-19  0.0000  [          :        * |          :      ]\n"
+                  "      4  2026-01-26  0.0100  [          :          | *        :      ]\n"
+                  "      5  2026-02-02  0.0400  [          :          |          :  #   ]\n"));
 }
 
 TEST(TrendChart, NamesBrokenRulesInWords) {
@@ -44,8 +50,8 @@ TEST(TrendChart, NamesBrokenRulesInWords) {
 TEST(TrendChart, ShowsTheLastChecksOnly) {
   const std::string chart =
       trend_chart(weekly(std::vector<double>{0.010, 0.012, 0.010, 0.012, 0.011, 0.012}), 2);
-  EXPECT_THAT(chart, Not(HasSubstr("2026-02-02")));
-  EXPECT_THAT(chart, HasSubstr("2026-02-09"));
+  EXPECT_THAT(chart, Not(HasSubstr("2026-01-26")));
+  EXPECT_THAT(chart, HasSubstr("2026-02-02"));
 }
 
 TEST(TrendChart, WaitsForItsBaseline) {

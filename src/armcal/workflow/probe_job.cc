@@ -52,7 +52,7 @@ void check_spread(const StylusQualification& stylus, const std::string& file,
   constexpr double kLittle_deg = 20.0;
   for (const TipCoordinate& each : stylus.tip) {
     if (!each.determined) {
-      throw NumericalError(fmt::format("{}: {} is not determined: {}\n  help: {}", file,
+      throw NumericalError(fmt::format("{}: the readings do not determine {}: {}\n  help: {}", file,
                                        fmt::join(stylus.undetermined(), ", "), swing_in_words(each),
                                        kHowToSpread));
     }
