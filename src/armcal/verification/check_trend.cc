@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "armcal/verification/check_trend.h"
 
+#include <cmath>
+
 namespace armcal {
 
 std::vector<RuleViolation> CheckTrend::violations_now() const {
@@ -15,6 +17,7 @@ std::vector<RuleViolation> CheckTrend::violations_now() const {
 std::optional<double> CheckTrend::days_to_limit() const {
   if (!drift || !drift->is_significant || !limit_mm) return std::nullopt;
   if (!is_signed && drift->mm_per_day < 0.0) return std::nullopt;
+  if (std::abs(points.back().value_mm) > *limit_mm) return std::nullopt;
   return drift->days_to(*limit_mm);
 }
 

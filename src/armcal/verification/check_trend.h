@@ -33,7 +33,7 @@ struct CheckTrend {
   /// Of the last check: what a user should hear of now.
   [[nodiscard]] std::vector<RuleViolation> violations_now() const;
   /// Days until the drift reaches the limit; nothing where it is not significant, moves away from
-  /// it, or there is none.
+  /// it, there is none, or the last check exceeds it already.
   [[nodiscard]] std::optional<double> days_to_limit() const;
 };
 

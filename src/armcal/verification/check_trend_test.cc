@@ -49,6 +49,11 @@ TEST(CheckTrend, ForeseesWhenADriftReachesTheLimit) {
   EXPECT_FALSE(weekly({0.010, 0.013, 0.009, 0.012, 0.010, 0.011}, 4).days_to_limit().has_value());
 }
 
+TEST(CheckTrend, ForeseesNothingThatHasHappened) {
+  EXPECT_FALSE(weekly({0.010, 0.020, 0.030, 0.040, 0.051}, 4).days_to_limit().has_value());
+  EXPECT_TRUE(weekly({0.010, 0.020, 0.030, 0.040, 0.049}, 4).days_to_limit().has_value());
+}
+
 TEST(CheckTrend, SmallerDeviationsLeadToNoLimit) {
   CheckTrend trend = weekly({0.034, 0.030, 0.024, 0.020, 0.013, 0.010}, 4);
   EXPECT_TRUE(trend.days_to_limit().has_value());  // a length error goes on to the other side

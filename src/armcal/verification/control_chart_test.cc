@@ -5,10 +5,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <span>
 #include <stdexcept>
 
 #include "armcal/core/random.h"
@@ -228,6 +231,46 @@ TEST(ControlRules, AlarmFalselyAsOftenAsCalculated) {
   }
   // Run lengths scatter by nearly their mean: four standard deviations of the mean of a thousand.
   EXPECT_NEAR(sum / kRuns, 91.75, 4.0 * 91.75 / std::sqrt(kRuns));
+}
+
+// Share of histories of a year of weeks, after a baseline of ten checks, in which a rule is broken.
+double share_of_false_alarms(bool limits_are_known, double (*draw)(RandomStream&)) {
+  constexpr int kHistories = 1000;
+  int alarms = 0;
+  for (std::uint64_t k = 0; k < kHistories; ++k) {
+    RandomStream random(6, k);
+    std::vector<double> values;
+    for (int i = 0; i < 10 + 52; ++i) values.push_back(draw(random));
+    const auto violations = violations_of(
+        values, limits_are_known ? kStandard : limits_of_baseline(std::span(values).first(10)));
+    alarms += std::any_of(violations.begin(), violations.end(),
+                          [](const RuleViolation& each) { return each.at >= 10; })
+                  ? 1
+                  : 0;
+  }
+  return alarms / double{kHistories};
+}
+
+double largest_deviation_in_two_seats(RandomStream& random) {
+  double largest = 0.0;
+  for (int seat = 0; seat < 2; ++seat) {
+    std::vector<Eigen::Vector3d> points;
+    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+    for (int i = 0; i < 10; ++i) {
+      points.emplace_back(random.normal(), random.normal(), random.normal());
+      mean += points.back() / 10.0;
+    }
+    for (const Eigen::Vector3d& point : points) largest = std::max(largest, (point - mean).norm());
+  }
+  return largest;
+}
+
+TEST(ControlRules, AlarmMoreOftenAfterAShortBaseline) {
+  // The figures of theory/interim_check.md; four standard deviations of 1000 histories are 6 %.
+  const auto normal = [](RandomStream& random) { return random.normal(); };
+  EXPECT_NEAR(share_of_false_alarms(true, normal), 0.46, 0.06);
+  EXPECT_NEAR(share_of_false_alarms(false, normal), 0.67, 0.06);
+  EXPECT_NEAR(share_of_false_alarms(false, largest_deviation_in_two_seats), 0.73, 0.06);
 }
 
 }  // namespace
