@@ -139,12 +139,11 @@ TEST(StandardsOnArms, LocationAgreesWithASecondComputation) {
 TEST(StandardsOnArms, ArticulationInSeatsAgreesWithASecondComputation) {
   RandomStream random(33);
   std::vector<b89_4_22::SeatPoints> seats;
-  const double reach = 1500.0;
   for (const auto& center : {place(120, 150, 200), place(450, 300, 350), place(-1100, 500, 200)}) {
     seats.push_back(
         {std::to_string(seats.size()), seen(wrong_arm(), Points(10, center), 0.5, random), ""});
   }
-  const auto results = b89_4_22::single_point_articulation(seats, {place(0, 0, 0), reach});
+  const auto results = b89_4_22::single_point_articulation(seats, b89_4_22::reach_of(wrong_arm()));
   ASSERT_EQ(results.size(), 6u);
   for (std::size_t s = 0; s < 3; ++s) {
     const Eigen::Map<const Eigen::Matrix3Xd> tips(seats[s].points_mm.front().data(), 3, 10);
@@ -153,6 +152,18 @@ TEST(StandardsOnArms, ArticulationInSeatsAgreesWithASecondComputation) {
     EXPECT_NEAR(results[2 * s + 1].value_mm.value(), 2.0 * from_mean.norm() / 3.0, kSame_mm);
     EXPECT_TRUE(results[2 * s].complete());
   }
+}
+
+TEST(StandardsOnArms, AnArmThatIsFarOffIsJudgedAndNotTakenForAnotherSphere) {
+  // The tip as the 2016 paper prints it.
+  RandomStream random(36);
+  const Points tips =
+      seen(testing::printed_romer(), testing::points_on_sphere(place(450, 300, 350), 31.0, 25, 0.0),
+           0.4, random);
+  const std::vector<SpherePoints> one = {{"1", tips, ""}};
+  const TestResult form = iso10360_12::probing_form(one, kSphere);
+  EXPECT_GT(form.value_mm.value(), 1.0);
+  EXPECT_TRUE(form.problems.empty()) << form.problems.front();
 }
 
 // An arm that takes every length for 0.05 % too long, angles right.
