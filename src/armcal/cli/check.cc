@@ -67,15 +67,15 @@ CheckRequest request_of(const Flags& flags) {
 int run_check_command(const Flags& flags, const Context& context) {
   require_sense(flags);
   const CheckRequest request = request_of(flags);
-  if (flags.export_csv) check_may_write(*flags.export_csv, context.overwrite);
+  if (flags.export_csv) {
+    check_may_write(*flags.export_csv, context.overwrite);
+    context.require_no_input(*flags.export_csv, {{*request.history, ""}});
+  }
   InputFiles files(context.monitor);
   const CheckSummary summary = run_check(files, request, flags.table.options());
+  if (flags.export_csv)
+    context.save(*flags.export_csv, history_as_table(*request.history), files.records());
   context.emit(files.records(), files.diagnostics(), json_result(summary), text_result(summary));
-  if (flags.export_csv) {
-    std::vector<InputRecord> inputs = files.records();
-    inputs.push_back({*request.history, ""});
-    context.save(*flags.export_csv, history_as_table(*request.history), inputs);
-  }
   const bool failed = summary.check && summary.check->verdict() == Verdict::fail;
   return failed ? kDoesNotConform : kDone;
 }

@@ -30,6 +30,12 @@ Eigen::Matrix3d tip_block(const Calibration& calibration, int first) {
   return block;
 }
 
+void take_over(const CalibratedParameter& found, TipCoordinate& coordinate) {
+  coordinate.value_mm = found.value;
+  coordinate.u_mm = found.u;
+  coordinate.determined = found.status == ParameterStatus::free;
+}
+
 void judge_change(StylusQualification& stylus) {
   Eigen::Vector3d change;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -81,34 +87,34 @@ Eigen::Vector3d swings_of_last_joint(const ArmModel& arm, const Eigen::MatrixXd&
 
 StylusQualification qualify_stylus(const ArmModel& arm, const ObservationGroup& readings,
                                    const Monitor& monitor) {
+  const ParameterTable table(arm);
   CalibrationOptions options;
   options.monitor = monitor;
-  int first = -1;
-  const ParameterTable table(arm);
+  std::vector<int> of_tip;  // a, b, d: neighbours in the table
   for (int i = 0; i < table.size(); ++i) {
-    if (!is_of_tip(table[i].kind)) {
+    if (is_of_tip(table[i].kind)) {
+      of_tip.push_back(i);
+    } else {
       options.hold.push_back(table[i].name);
-    } else if (first < 0) {
-      first = i;
     }
   }
   StylusQualification stylus;
   stylus.calibration = calibrate(arm, {&readings, 1}, options);
+  const bool found = stylus.calibration.ok();
   const Eigen::Vector3d swings = swings_of_last_joint(arm, readings.encoder_rad);
-  for (std::size_t k = 0; k < 3; ++k) {
-    TipCoordinate& each = stylus.tip[k];
-    each.parameter = table[first + static_cast<int>(k)].name;
-    each.old_mm = table[first + static_cast<int>(k)].nominal;
-    each.swing_rad = swings(static_cast<Eigen::Index>(k));
-    if (!stylus.calibration.ok()) continue;
-    const auto& found = stylus.calibration.parameters[static_cast<std::size_t>(first) + k];
-    each.value_mm = found.value;
-    each.u_mm = found.u;
-    each.determined = found.status == ParameterStatus::free;
+  for (std::size_t k = 0; k < stylus.tip.size(); ++k) {
+    const Parameter& parameter = table[of_tip[k]];
+    stylus.tip[k].parameter = parameter.name;
+    stylus.tip[k].old_mm = parameter.nominal;
+    stylus.tip[k].swing_rad = swings(static_cast<Eigen::Index>(k));
+    if (found)
+      take_over(stylus.calibration.parameters.at(static_cast<std::size_t>(of_tip[k])),
+                stylus.tip[k]);
   }
-  if (!stylus.calibration.ok()) return stylus;
-  stylus.covariance_mm2 = tip_block(stylus.calibration, first);
-  judge_change(stylus);
+  if (found) {
+    stylus.covariance_mm2 = tip_block(stylus.calibration, of_tip.front());
+    judge_change(stylus);
+  }
   return stylus;
 }
 

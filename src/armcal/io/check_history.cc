@@ -110,6 +110,7 @@ void check_path(const std::string& path, CheckHistory::Missing missing) {
     if (missing == CheckHistory::Missing::create) return;
     refuse(path, "does not exist", "the first check that is saved makes it");
   }
+  if (!std::filesystem::is_regular_file(path, ignored)) refuse(path, "is no file", "");
   std::array<char, 16> head{};
   std::ifstream file(path, std::ios::binary);
   file.read(head.data(), head.size());
@@ -163,6 +164,43 @@ void check_version(SqliteDatabase& database, const std::string& path) {
   }
 }
 
+std::int64_t insert_check(SqliteDatabase& database, const CheckRecord& check) {
+  SqliteStatement row = database.prepare(
+      "INSERT INTO checks (time_utc, arm, arm_sha256, artefact, kind, point_count, "
+      "temperature_c, verdict, readings_sha256, tool_version, note) "
+      "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+  int at = 0;
+  row.bind(++at, utc_text(check.time));
+  for (const std::string& text : {check.arm, check.arm_sha256, check.artefact, check.kind}) {
+    row.bind(++at, text);
+  }
+  row.bind(++at, check.point_count);
+  row.bind(++at, check.temperature_c);
+  for (const std::string& text :
+       {check.verdict, check.readings_sha256, check.tool_version, check.note}) {
+    row.bind(++at, text);
+  }
+  row.step();
+  return database.last_id();
+}
+
+void insert_values(SqliteDatabase& database, std::int64_t id,
+                   const std::vector<CheckedValue>& values) {
+  SqliteStatement row = database.prepare(
+      "INSERT INTO check_values (check_id, position, name, value_mm, limit_mm) "
+      "VALUES (?, ?, ?, ?, ?)");
+  std::int64_t position = 0;
+  for (const CheckedValue& each : values) {
+    row.bind(1, id);
+    row.bind(2, ++position);
+    row.bind(3, each.name);
+    row.bind(4, std::optional(each.value_mm));
+    row.bind(5, each.limit_mm);
+    row.step();
+    row.reset();
+  }
+}
+
 }  // namespace
 
 CheckHistory::CheckHistory(std::string path, Missing missing) : path_(std::move(path)) {
@@ -186,36 +224,8 @@ CheckHistory::CheckHistory(std::string path, Missing missing) : path_(std::move(
 std::int64_t CheckHistory::append(const CheckRecord& check) {
   return on_file(path_, [&] {
     SqliteTransaction transaction(*database_);
-    SqliteStatement row = database_->prepare(
-        "INSERT INTO checks (time_utc, arm, arm_sha256, artefact, kind, point_count, "
-        "temperature_c, verdict, readings_sha256, tool_version, note) "
-        "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
-    int at = 0;
-    row.bind(++at, utc_text(check.time));
-    for (const std::string& text : {check.arm, check.arm_sha256, check.artefact, check.kind}) {
-      row.bind(++at, text);
-    }
-    row.bind(++at, check.point_count);
-    row.bind(++at, check.temperature_c);
-    for (const std::string& text :
-         {check.verdict, check.readings_sha256, check.tool_version, check.note}) {
-      row.bind(++at, text);
-    }
-    row.step();
-    const std::int64_t id = database_->last_id();
-    SqliteStatement values = database_->prepare(
-        "INSERT INTO check_values (check_id, position, name, value_mm, limit_mm) "
-        "VALUES (?, ?, ?, ?, ?)");
-    std::int64_t position = 0;
-    for (const CheckedValue& each : check.values) {
-      values.bind(1, id);
-      values.bind(2, ++position);
-      values.bind(3, each.name);
-      values.bind(4, std::optional(each.value_mm));
-      values.bind(5, each.limit_mm);
-      values.step();
-      values.reset();
-    }
+    const std::int64_t id = insert_check(*database_, check);
+    insert_values(*database_, id, check.values);
     transaction.commit();
     return id;
   });

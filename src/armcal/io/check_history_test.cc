@@ -117,6 +117,7 @@ TEST(CheckHistory, RefusesWhatIsNoHistory) {
   EXPECT_THAT(refusal(other), HasSubstr("is an SQLite file, but no history of checks"));
   EXPECT_THAT(refusal(folder.path(".")), HasSubstr("is a folder"));
   EXPECT_THAT(refusal("-"), HasSubstr("must be a file, not a stream"));
+  EXPECT_THAT(refusal("/dev/zero"), HasSubstr("is no file"));
   EXPECT_EQ(testing::read_bytes(folder.path("a.csv")), "x,y\n1,2\n");
 }
 
