@@ -107,24 +107,31 @@ void warn_of_changes(const std::vector<CheckRecord>& checks, const CheckRecord& 
   }
 }
 
+// Without a certificate the length itself is watched.
+std::vector<std::string> watched_values(const CheckRecord& check) {
+  std::vector<std::string> names;
+  for (const CheckedValue& each : check.values) {
+    if (is_watched(each.name)) names.push_back(each.name);
+  }
+  const bool has_length = !check.values.empty() && check.values.back().name == "length";
+  if (has_length) names.emplace_back("length");
+  return names;
+}
+
 std::vector<CheckTrend> trends_of(const std::vector<CheckRecord>& checks, const CheckRecord& last,
                                   std::size_t baseline) {
   std::vector<CheckTrend> trends;
-  for (const CheckedValue& watched : last.values) {
-    const bool has_error =
-        std::any_of(last.values.begin(), last.values.end(),
-                    [](const auto& each) { return each.name == "length_error"; });
-    if (!is_watched(watched.name) && !(watched.name == "length" && !has_error)) continue;
+  for (const std::string& name : watched_values(last)) {
     CheckTrend trend;
-    trend.name = watched.name;
-    trend.limit_mm = watched.limit_mm;
-    trend.is_signed = is_signed(watched.name);
+    trend.name = name;
+    trend.is_signed = is_signed(name);
     trend.baseline = baseline;
     for (const CheckRecord& each : checks) {
       if (!belong_together(each, last)) continue;
       for (const CheckedValue& value : each.values) {
-        if (value.name == watched.name)
-          trend.points.push_back({each.id, each.time, value.value_mm});
+        if (value.name != name) continue;
+        trend.points.push_back({each.id, each.time, value.value_mm});
+        trend.limit_mm = value.limit_mm;
       }
     }
     trends.push_back(judged(std::move(trend)));
