@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "armcal/io/stated_limit.h"
 
-#include <algorithm>
+#include <string>
 
 #include "armcal/io/number_text.h"
 
@@ -22,12 +22,21 @@ std::optional<StatedLimit> line_of(std::string_view text) {
   const std::size_t plus = text.find(kLength);
   const auto constant = not_negative(text.substr(0, plus));
   if (!constant) return std::nullopt;
-  StatedLimit limit{*constant * kMillimetresPerMicrometre, 0.0, {}};
-  if (plus == text.npos) return limit;
-  const auto divisor = not_negative(text.substr(plus + kLength.size()));
-  if (!divisor || *divisor == 0.0) return std::nullopt;
-  limit.per_length = kMillimetresPerMicrometre / *divisor;
-  return limit;
+  StatedLimit limit{*constant * kMillimetresPerMicrometre, {}, {}};
+  if (plus == text.npos) return limit.a_mm > 0.0 ? std::optional(limit) : std::nullopt;
+  limit.k = not_negative(text.substr(plus + kLength.size()));
+  return limit.k && *limit.k > 0.0 ? std::optional(limit) : std::nullopt;
+}
+
+// A+L/K,B
+std::optional<StatedLimit> lesser_of(std::string_view text) {
+  const std::size_t comma = text.find(',');
+  if (comma == text.npos) return std::nullopt;
+  auto limit = line_of(text.substr(0, comma));
+  const auto largest = not_negative(text.substr(comma + 1));
+  if (!limit || !limit->k || !largest) return std::nullopt;
+  limit->b_mm = *largest * kMillimetresPerMicrometre;
+  return *limit->b_mm > limit->a_mm ? limit : std::nullopt;
 }
 
 }  // namespace
@@ -35,21 +44,11 @@ std::optional<StatedLimit> line_of(std::string_view text) {
 std::optional<StatedLimit> limit_of_formula(std::string_view text) {
   std::string bare(text);
   std::erase(bare, ' ');
-  std::string_view rest = bare;
-  std::optional<double> largest;
+  const std::string_view rest = bare;
   constexpr std::string_view kMinimum = "min(";
-  if (rest.starts_with(kMinimum) && rest.ends_with(')')) {
-    rest = rest.substr(kMinimum.size(), rest.size() - kMinimum.size() - 1);
-    const std::size_t comma = rest.find(',');
-    if (comma == rest.npos) return std::nullopt;
-    largest = not_negative(rest.substr(comma + 1));
-    if (!largest || *largest == 0.0) return std::nullopt;
-    rest = rest.substr(0, comma);
-  }
-  auto limit = line_of(rest);
-  if (!limit || (limit->constant_mm == 0.0 && limit->per_length == 0.0)) return std::nullopt;
-  if (largest) limit->largest_mm = *largest * kMillimetresPerMicrometre;
-  return limit;
+  if (!rest.starts_with(kMinimum)) return line_of(rest);
+  if (!rest.ends_with(')')) return std::nullopt;
+  return lesser_of(rest.substr(kMinimum.size(), rest.size() - kMinimum.size() - 1));
 }
 
 }  // namespace armcal

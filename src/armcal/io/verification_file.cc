@@ -29,7 +29,7 @@ constexpr std::array<KindEntry, 8> kKinds = {{
     {"articulated_location", "mpe_um", nullptr},
     {"length_uni", "mpe_um", nullptr},
     {"length_bi", "mpe_um", nullptr},
-    {"effective_diameter", "mpe_um", "mpe_2s_um"},
+    {"effective_diameter", "mpe_um", "mpe_s_um"},
     {"single_point_articulation", "mpe_um", "mpe_2s_um"},
     {"volumetric_length", "mpe_um", "mpe_2rms_um"},
     {"half_range", "mpe_um", nullptr},
@@ -201,7 +201,8 @@ std::optional<StatedTestKind> kind_of(TomlSection& section, Diagnostics& diagnos
   return std::nullopt;
 }
 
-std::optional<StatedLimit> read_limit(TomlSection& section, const char* key,
+// @param of_length  may the limit grow with a length?
+std::optional<StatedLimit> read_limit(TomlSection& section, const char* key, bool of_length,
                                       Diagnostics& diagnostics) {
   if (key == nullptr) return std::nullopt;
   const auto formula = section.number_or_text(key);
@@ -210,6 +211,11 @@ std::optional<StatedLimit> read_limit(TomlSection& section, const char* key,
   if (!limit) {
     diagnostics.error(section.where(key), fmt::format("{} \"{}\" is no limit", key, *formula),
                       kFormulas);
+  } else if (limit->k && !of_length) {
+    diagnostics.error(section.where(key),
+                      fmt::format("{} \"{}\" depends on a length, and this test has none", key,
+                                  *formula),
+                      "give a constant, in um");
   }
   return limit;
 }
@@ -252,8 +258,8 @@ StatedTest read_test(TomlSection section, const std::string& path, std::optional
       not_negative(section, "u_repeatability_um", diagnostics) * kMillimetresPerMicrometre;
   if (!kind) return test;  // which other keys it has, nobody knows
   read_artefact_name(section, test, diagnostics);
-  test.limit = read_limit(section, entry_of(*kind).limit, diagnostics);
-  test.second_limit = read_limit(section, entry_of(*kind).second_limit, diagnostics);
+  test.limit = read_limit(section, entry_of(*kind).limit, measures_lengths(*kind), diagnostics);
+  test.second_limit = read_limit(section, entry_of(*kind).second_limit, false, diagnostics);
   section.finish();
   return test;
 }
@@ -318,6 +324,8 @@ bool needs_sphere(StatedTestKind kind) {
   return kind == StatedTestKind::probing || kind == StatedTestKind::articulated_location ||
          kind == StatedTestKind::effective_diameter;
 }
+
+bool has_two_limits(StatedTestKind kind) { return entry_of(kind).second_limit != nullptr; }
 
 const StatedArtefact* VerificationFile::artefact(std::string_view name) const {
   const auto at = std::find_if(artefacts.begin(), artefacts.end(),

@@ -30,6 +30,8 @@ enum class StatedTestKind {
 [[nodiscard]] bool is_of_iso(StatedTestKind kind);
 [[nodiscard]] bool measures_lengths(StatedTestKind kind);
 [[nodiscard]] bool needs_sphere(StatedTestKind kind);
+/// Has it two statistics, each with its limit?
+[[nodiscard]] bool has_two_limits(StatedTestKind kind);
 
 /// A calibrated length with the expanded uncertainty of its certificate.
 struct CertifiedLength {
@@ -64,7 +66,7 @@ struct StatedTest {
   double probe_diameter_mm = 0.0;
   double u_repeatability_mm = 0.0;  ///< of what the test adds itself: fixture, clamping
   std::optional<StatedLimit> limit;         ///< the first statistic of the kind: `mpe_um`, `mpe_size_um`
-  std::optional<StatedLimit> second_limit;  ///< the second: `mpe_form_um`, `mpe_2s_um`, `mpe_2rms_um`
+  std::optional<StatedLimit> second_limit;  ///< the second: `mpe_form_um`, `mpe_2s_um`, ..
   TableOptions table;
 };
 

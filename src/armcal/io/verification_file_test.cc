@@ -30,7 +30,7 @@ artefact = "ball"
 file = "ball.csv"
 probe_diameter_mm = 6
 mpe_size_um = 30
-mpe_form_um = "min(20 + L/50, 80)"
+mpe_form_um = "40"
 )";
 
 std::optional<VerificationFile> read(const std::string& text, Diagnostics& diagnostics) {
@@ -80,8 +80,8 @@ u_temperature_c = 0.3
   EXPECT_EQ(test.file, "tests/ball.csv");
   EXPECT_EQ(test.probe_diameter_mm, 6.0);
   ASSERT_TRUE(test.limit && test.second_limit);
-  EXPECT_NEAR(test.limit->constant_mm, 0.030, 1e-15);
-  EXPECT_NEAR(*test.second_limit->largest_mm, 0.080, 1e-15);
+  EXPECT_NEAR(test.limit->a_mm, 0.030, 1e-15);
+  EXPECT_NEAR(test.second_limit->a_mm, 0.040, 1e-15);
 }
 
 TEST(VerificationFile, TakesLengthsInPlace) {
@@ -102,6 +102,8 @@ mpe_um = "20 + L/50"
   ASSERT_EQ(file->artefacts.front().lengths.size(), 2U);
   EXPECT_EQ(file->artefacts.front().lengths[1].length_mm, 1000.0031);
   EXPECT_NEAR(file->artefacts.front().lengths[1].U_mm, 0.0011, 1e-15);
+  ASSERT_TRUE(file->tests.front().limit);
+  EXPECT_EQ(file->tests.front().limit->k, 50.0);
 }
 
 TEST(VerificationFile, NamesEveryMistakeWithLineAndRemedy) {
@@ -117,6 +119,7 @@ kind = "probing"
 artefact = "ball"
 file = "ball.csv"
 mpe_size_um = "30 um"
+mpe_form_um = "20 + L/50"
 mpe_um = 30
 )");
   EXPECT_THAT(text, HasSubstr("arm.verification.toml:3:1: error: unknown rule \"iso14253\""));
@@ -126,6 +129,7 @@ mpe_um = 30
   EXPECT_THAT(text, HasSubstr("diameter_mm is -25: must be larger than 0"));
   EXPECT_THAT(text, HasSubstr("mpe_size_um \"30 um\" is no limit"));
   EXPECT_THAT(text, HasSubstr("\"20 + L/50\" or \"min(20 + L/50, 80)\""));
+  EXPECT_THAT(text, HasSubstr("mpe_form_um \"20 + L/50\" depends on a length, and this test has none"));
   EXPECT_THAT(text, HasSubstr("unknown key \"mpe_um\""));
 }
 

@@ -30,7 +30,7 @@ class TestReader {
     for (std::size_t row = 0; row < table_.row_count(); ++row) {
       rows_.lines.push_back(table_.line(row));
     }
-    rows_.place = names(table_.find("position") ? "position" : "placement");
+    rows_.place = names(filled("position") ? "position" : "placement");
     rows_.articulation = names("articulation");
     rows_.repeat = names("repeat");
     if (test_.kind == StatedTestKind::articulated_location && rows_.articulation.empty()) {
@@ -48,10 +48,19 @@ class TestReader {
                        fmt::format("{}; {}", table_.columns_in_words(), remedy));
   }
 
+  // A column that says something of these rows: tables that tests share leave others' empty.
+  [[nodiscard]] std::optional<std::size_t> filled(const char* name) const {
+    const auto column = table_.find(name);
+    for (std::size_t row = 0; column && row < table_.row_count(); ++row) {
+      if (!table_.field(row, *column).empty()) return column;
+    }
+    return std::nullopt;
+  }
+
   // The fields of a column; none where there is no such column.
   std::vector<std::string> names(const char* name) {
     std::vector<std::string> fields;
-    const auto column = table_.find(name);
+    const auto column = filled(name);
     for (std::size_t row = 0; column && row < table_.row_count(); ++row) {
       fields.emplace_back(table_.field(row, *column));
       if (fields.back().empty()) {
@@ -62,7 +71,7 @@ class TestReader {
   }
 
   void read_measured() {
-    if (measures_lengths(test_.kind) && table_.find("measured")) {
+    if (measures_lengths(test_.kind) && filled("measured")) {
       read_measured_lengths();
     } else if (joint_count_ > 0) {
       read_angles();
@@ -113,7 +122,7 @@ class TestReader {
   }
 
   void read_ends() {
-    const auto column = table_.find("end");
+    const auto column = filled("end");
     if (!column) {
       missing("end",
               "a length is measured_mm, or the points at its two ends in rows with end A and B");
@@ -132,7 +141,7 @@ class TestReader {
 
   // Which calibrated length each row measures: by name, by nominal value, or the only one.
   void read_lengths() {
-    const auto column = table_.find("length");
+    const auto column = filled("length");
     if (!column) {
       if (artefact_->lengths.size() == 1) {
         rows_.length.assign(table_.row_count(), 0);

@@ -1,0 +1,321 @@
+// SPDX-FileCopyrightText: the armcal authors
+// SPDX-License-Identifier: Apache-2.0
+#include "armcal/workflow/verification_job.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "armcal/testing/temporary_folder.h"
+#include "armcal/testing/verification_readings.h"
+
+namespace armcal {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+using testing::TemporaryFolder;
+
+constexpr double kExact_mm = 1e-9;
+constexpr double kDiameter_mm = 25.0;
+constexpr double kBall_mm = 6.0;
+
+constexpr const char* kHead = R"(schema = "armcal.verification/1"
+reach_mm = 1000
+[[artefact]]
+name = "ball"
+kind = "sphere"
+diameter_mm = 25
+U_um = 1.0
+[[artefact]]
+name = "bar"
+kind = "lengths"
+lengths = [[200, 1], [400, 1], [600, 1], [800, 1], [1000, 1]]
+)";
+
+std::string point_row(const std::string& fields, const Eigen::Vector3d& p) {
+  return fmt::format("{},{},{},{}\n", fields, p.x(), p.y(), p.z());
+}
+
+/// Points at a distance from a centre; the first is farther out by `bump_mm`.
+std::string sphere_rows(const std::string& fields, const Eigen::Vector3d& center, double radius_mm,
+                        int count) {
+  std::string rows;
+  for (const Eigen::Vector3d& direction : testing::probing_directions(count)) {
+    rows += point_row(fields, center + radius_mm * direction);
+  }
+  return rows;
+}
+
+class VerificationJobTest : public ::testing::Test {
+ protected:
+  Verification run(const std::string& tests, VerificationStandard standard,
+                   bool incomplete = false) {
+    const std::string path = folder_.write("arm.verification.toml", kHead + tests);
+    InputFiles files;
+    VerificationWishes wishes;
+    wishes.standard = standard;
+    wishes.incomplete = incomplete;
+    return run_verification(files, path, wishes);
+  }
+  Verification iso(const std::string& tests, bool incomplete = false) {
+    return run(tests, VerificationStandard::iso10360_12, incomplete);
+  }
+  Verification asme(const std::string& tests, bool incomplete = false) {
+    return run(tests, VerificationStandard::b89_4_22, incomplete);
+  }
+  std::string complaint(const std::string& tests, VerificationStandard standard,
+                        bool incomplete = false) {
+    try {
+      static_cast<void>(run(tests, standard, incomplete));
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    ADD_FAILURE() << "was accepted:\n" << tests;
+    return {};
+  }
+  std::string iso_complaint(const std::string& tests, bool incomplete = false) {
+    return complaint(tests, VerificationStandard::iso10360_12, incomplete);
+  }
+
+  TemporaryFolder folder_;
+};
+
+constexpr const char* kProbing = R"([[test]]
+kind = "probing"
+artefact = "ball"
+file = "probing.csv"
+probe_diameter_mm = 6
+mpe_size_um = 30
+mpe_form_um = 30
+)";
+
+// The ball of the probe stays its radius away: spheres of 31.01 and 30.98 mm are errors of +10 and
+// -20 um, and the larger counts, with its sign.
+TEST_F(VerificationJobTest, ReportsTheWorseOfTwoPositions) {
+  folder_.write("probing.csv", "position,x_mm,y_mm,z_mm\n" +
+                                   sphere_rows("A", {300, 0, 0}, (31.0 + 0.010) / 2, 25) +
+                                   sphere_rows("B", {0, 700, 0}, (31.0 - 0.020) / 2, 25));
+  const Verification verification = iso(kProbing);
+  ASSERT_EQ(verification.statistics.size(), 2U);
+  const Judged& size = verification.statistics[0].judged();
+  EXPECT_EQ(size.result.symbol, "P_Size.Sph.1x25::Tact.AArm");
+  EXPECT_NEAR(size.result.value_mm.value(), -0.020, kExact_mm);
+  EXPECT_EQ(size.verdict, Verdict::pass);
+  EXPECT_NEAR(size.U_mm.value(), 0.001, 1e-12);  // of the certificate, k = 2 both times
+  const Judged& form = verification.statistics[1].judged();
+  EXPECT_EQ(form.result.symbol, "P_Form.Sph.1x25::Tact.AArm");
+  EXPECT_NEAR(form.result.value_mm.value(), 0.0, kExact_mm);
+  EXPECT_EQ(verification.verdict(), Verdict::pass);
+}
+
+TEST_F(VerificationJobTest, FindsTheCloudOfFiveCentres) {
+  // Four corners of a cube of edge 0.02 mm that are a regular tetrahedron, and its middle.
+  std::string rows = "articulation,x_mm,y_mm,z_mm\n";
+  const std::vector<Eigen::Vector3d> corners = {
+      {1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}, {0, 0, 0}};
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    rows += sphere_rows(std::to_string(i + 1), Eigen::Vector3d(400, 300, 200) + 0.01 * corners[i],
+                        (kDiameter_mm + kBall_mm) / 2, 5);
+  }
+  folder_.write("art.csv", rows);
+  const Verification verification = iso(R"([[test]]
+kind = "articulated_location"
+artefact = "ball"
+file = "art.csv"
+probe_diameter_mm = 6
+mpe_um = 30
+)");
+  const Judged& judged = verification.statistics.front().judged();
+  EXPECT_EQ(judged.result.symbol, "L_Dia.5x5:Art:Tact.AArm");
+  EXPECT_NEAR(judged.result.value_mm.value(), 0.02 * std::sqrt(3.0), 2e-9);  // of five-point fits
+  EXPECT_EQ(judged.verdict, Verdict::fail);
+}
+
+/// 5 lengths at 7 positions, 3 times each, all 0.05 % too long.
+std::string measured_rows(int positions, double scale) {
+  std::string rows = "position,length_mm,repeat,measured_mm\n";
+  for (int position = 1; position <= positions; ++position) {
+    for (const double length : {200.0, 400.0, 600.0, 800.0, 1000.0}) {
+      for (int repeat = 1; repeat <= 3; ++repeat) {
+        rows += fmt::format("P{},{},{},{}\n", position, length, repeat, length * scale);
+      }
+    }
+  }
+  return rows;
+}
+
+constexpr const char* kLengths = R"([[test]]
+kind = "length_uni"
+artefact = "bar"
+file = "lengths.csv"
+mpe_um = "20 + L/50"
+)";
+
+TEST_F(VerificationJobTest, JudgesEveryLengthByItsOwnLimit) {
+  folder_.write("lengths.csv", measured_rows(7, 1.0005));
+  const Verification verification = iso(kLengths);
+  const Judged& judged = verification.statistics.front().judged();
+  EXPECT_EQ(judged.result.symbol, "E_Uni");
+  EXPECT_NEAR(judged.result.value_mm.value(), 0.5, kExact_mm);
+  EXPECT_NEAR(judged.mpe_mm.value(), 0.040, 1e-12);  // of 1000 mm: 500 um are 12.5 times as much
+  EXPECT_EQ(verification.verdict(), Verdict::fail);
+  EXPECT_EQ(verification.statistics.front().limit, "20 um + L/50");
+}
+
+TEST_F(VerificationJobTest, NamesWhatIsMissingAndComputesItOnlyIfAsked) {
+  folder_.write("lengths.csv", measured_rows(6, 1.00001));
+  EXPECT_THAT(iso_complaint(kLengths), HasSubstr("7"));
+  EXPECT_THAT(iso_complaint(kLengths), HasSubstr("give --incomplete"));
+  const Verification verification = iso(kLengths, true);
+  const Judged& judged = verification.statistics.front().judged();
+  EXPECT_THAT(judged.result.symbol, IsEmpty());
+  EXPECT_THAT(judged.result.missing, Not(IsEmpty()));
+  EXPECT_EQ(judged.verdict, Verdict::pass);
+}
+
+TEST_F(VerificationJobTest, NamesMissingPointsAndPositions) {
+  folder_.write("probing.csv", "position,x_mm,y_mm,z_mm\n" +
+                                   sphere_rows("A", {300, 0, 0}, 15.5, 24));
+  const std::string text = iso_complaint(kProbing);
+  EXPECT_THAT(text, HasSubstr("24 points"));
+  EXPECT_THAT(text, HasSubstr("1 sphere position"));
+  EXPECT_THAT(text, HasSubstr("arm.verification.toml:11:"));
+}
+
+TEST_F(VerificationJobTest, RefusesAnotherSphereAndOtherUnitsEvenIfIncompleteIsAllowed) {
+  folder_.write("probing.csv", "position,x_mm,y_mm,z_mm\n" +
+                                   sphere_rows("A", {300, 0, 0}, 15.5, 25) +
+                                   sphere_rows("B", {0, 700, 0}, 25.5, 25));
+  EXPECT_THAT(iso_complaint(kProbing, true), HasSubstr("position B"));
+  folder_.write("probing.csv", "position,x_mm,y_mm,z_mm\n" +
+                                   sphere_rows("A", {300, 0, 0}, 15.5, 25) +
+                                   sphere_rows("B", {0, 27, 0}, 15.5 / 25.4, 25));
+  EXPECT_THAT(iso_complaint(kProbing, true), HasSubstr("25.4"));
+}
+
+TEST_F(VerificationJobTest, RefusesASphereThatMoves) {
+  folder_.write("art.csv", "position,articulation,x_mm,y_mm,z_mm\n" +
+                               sphere_rows("A,1", {300, 0, 0}, 15.5, 5) +
+                               sphere_rows("B,2", {400, 0, 0}, 15.5, 5));
+  EXPECT_THAT(iso_complaint(R"([[test]]
+kind = "articulated_location"
+artefact = "ball"
+file = "art.csv"
+)"),
+              HasSubstr("art.csv:7: error: position B after position A: the sphere must stand "
+                        "still"));
+}
+
+// Distances of ends: single points, or the centres of spheres.
+TEST_F(VerificationJobTest, TakesLengthsFromTheirEnds) {
+  std::string rows = "placement,length_mm,end,x_mm,y_mm,z_mm\n";
+  rows += point_row("seats,600,A", {100, 200, 300}) + point_row("seats,600,B", {700.02, 200, 300});
+  rows += sphere_rows("balls,800,A", {50, -400, 80}, 15.5, 6);
+  rows += sphere_rows("balls,800,B", {50, 399.99, 80}, 15.5, 6);
+  folder_.write("ends.csv", rows);
+  const Verification verification = asme(R"([[test]]
+kind = "volumetric_length"
+artefact = "bar"
+file = "ends.csv"
+)",
+                                         true);
+  const auto& parts = verification.statistics.front().judged().result.parts;
+  ASSERT_EQ(parts.size(), 2U);
+  EXPECT_NEAR(parts[0].value_mm, 0.02, kExact_mm);
+  EXPECT_NEAR(parts[1].value_mm, -0.01, kExact_mm);
+  EXPECT_THAT(parts[1].where, HasSubstr("ends.csv:4"));
+}
+
+// Opposite faces are touched by opposite sides of the probe.
+TEST_F(VerificationJobTest, TakesTheProbeOffBidirectionalLengths) {
+  const std::string test = R"([[test]]
+kind = "length_bi"
+artefact = "bar"
+file = "ends.csv"
+probe_diameter_mm = 6
+)";
+  folder_.write("ends.csv", "length_mm,end,x_mm,y_mm,z_mm\n" + point_row("600,A", {100, 0, 1}) +
+                                point_row("600,B", {706.03, 0, 1}));
+  const Verification verification = iso(test, true);
+  EXPECT_NEAR(verification.statistics.front().judged().result.value_mm.value(), 0.03, kExact_mm);
+  folder_.write("ends.csv", "length_mm,end,x_mm,y_mm,z_mm\n" +
+                                sphere_rows("600,A", {100, 0, 1}, 15.5, 5) +
+                                point_row("600,B", {706.03, 0, 1}));
+  EXPECT_THAT(iso_complaint(test, true),
+              HasSubstr("a bidirectional length has one point at each end"));
+}
+
+TEST_F(VerificationJobTest, RefusesEndsThatAreNone) {
+  const std::string head = "position,length_mm,repeat,end,x_mm,y_mm,z_mm\n";
+  folder_.write("lengths.csv", head + point_row("P1,600,2,A", {100, 0, 1}));
+  EXPECT_THAT(iso_complaint(kLengths, true),
+              HasSubstr("lengths.csv:2: error: end B of 600.0000 mm at position P1, repeat 2: is "
+                        "missing"));
+  folder_.write("lengths.csv", head + point_row("P1,600,2,A", {100, 0, 1}) +
+                                   point_row("P1,600,2,A", {100, 0, 1.01}) +
+                                   point_row("P1,600,2,B", {700, 0, 1}));
+  EXPECT_THAT(iso_complaint(kLengths, true), HasSubstr("has 2 points"));
+}
+
+TEST_F(VerificationJobTest, ReportsSeatsByZoneAndHalfRangesUnderTheirOwnName) {
+  std::string rows = "position,x_mm,y_mm,z_mm\n";
+  for (const double distance : {100.0, 500.0, 900.0}) {
+    for (int i = 0; i < 10; ++i) {
+      rows += point_row(fmt::format("{}", distance),
+                        {distance, i % 2 == 0 ? 0.010 : -0.010, 1.0 + 1e-6 * i});
+    }
+  }
+  folder_.write("seats.csv", rows);
+  const Verification verification = asme(R"([[test]]
+kind = "single_point_articulation"
+file = "seats.csv"
+mpe_um = 15
+mpe_2s_um = 15
+[[test]]
+kind = "half_range"
+file = "seats.csv"
+)");
+  ASSERT_EQ(verification.statistics.size(), 9U);
+  EXPECT_THAT(verification.statistics[0].judged().result.name, HasSubstr("near"));
+  // All deviations are 0.010 mm to the micrometre of z: 2 s = 2 sqrt(10/9) 0.010 mm.
+  EXPECT_NEAR(verification.statistics[0].judged().result.value_mm.value(), 0.010, 1e-8);
+  EXPECT_NEAR(verification.statistics[1].judged().result.value_mm.value(),
+              0.020 * std::sqrt(10.0 / 9.0), 1e-8);
+  EXPECT_EQ(verification.statistics[0].judged().verdict, Verdict::pass);
+  EXPECT_EQ(verification.statistics[1].judged().verdict, Verdict::fail);
+  const TestResult& half_range = verification.statistics[6].judged().result;
+  EXPECT_NEAR(half_range.value_mm.value(), 0.010, kExact_mm);
+  EXPECT_THAT(half_range.name, HasSubstr("half range per axis"));
+  EXPECT_THAT(half_range.name, Not(HasSubstr("articulation")));
+}
+
+TEST_F(VerificationJobTest, SaysWhenThereIsNothingToDo) {
+  folder_.write("lengths.csv", measured_rows(7, 1.0));
+  EXPECT_THAT(complaint(kLengths, VerificationStandard::b89_4_22),
+              HasSubstr("has no test of ASME B89.4.22-2004\n  help: its kinds are "
+                        "effective_diameter"));
+  EXPECT_THAT(iso_complaint("as_left = \"x\"\n"), HasSubstr("has no tests"));
+}
+
+TEST_F(VerificationJobTest, HasNoValueOfTooFewPoints) {
+  folder_.write("probing.csv",
+                "position,x_mm,y_mm,z_mm\n" + sphere_rows("A", {300, 0, 0}, 15.5, 3));
+  EXPECT_ANY_THROW(static_cast<void>(iso(kProbing, true)));
+}
+
+TEST_F(VerificationJobTest, ReadsASharedTableOnce) {
+  folder_.write("lengths.csv", measured_rows(7, 1.0));
+  const std::string path = folder_.write(
+      "two.verification.toml", std::string(kHead) + kLengths + kLengths + "name = \"again\"\n");
+  InputFiles files;
+  const Verification verification = run_verification(files, path, {});
+  EXPECT_EQ(verification.statistics.size(), 2U);
+  EXPECT_EQ(files.records().size(), 2U);
+}
+
+}  // namespace
+}  // namespace armcal
