@@ -11,6 +11,9 @@
 
 namespace armcal {
 
+/// Fewest points that can contradict a sphere.
+inline constexpr Eigen::Index kLeastPointsForForm = 5;
+
 /// Points probed on a calibrated sphere in one go: at one position, or with one articulation.
 struct SpherePoints {
   std::string name;  ///< of the position or articulation, as the user calls it

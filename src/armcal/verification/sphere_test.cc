@@ -109,18 +109,6 @@ std::vector<BlindSpot> blind_spots_of(const ArmModel& arm, const JointReadings& 
 
 }  // namespace
 
-std::string_view to_string(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::not_judged:
-      return "not_judged";
-    case Verdict::pass:
-      return "pass";
-    case Verdict::fail:
-      return "fail";
-  }
-  return "unknown";
-}
-
 Verdict SphereTest::verdict() const {
   if (diameter_verdict == Verdict::fail || form_verdict == Verdict::fail) return Verdict::fail;
   const bool judged = diameter_verdict == Verdict::pass || form_verdict == Verdict::pass;

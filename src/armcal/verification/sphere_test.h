@@ -10,11 +10,10 @@
 #include "armcal/arm/arm_model.h"
 #include "armcal/geometry/sphere.h"
 #include "armcal/observations/readings.h"
+#include "armcal/verification/probed_sphere.h"
+#include "armcal/verification/verdict.h"
 
 namespace armcal {
-
-enum class Verdict { not_judged, pass, fail };
-[[nodiscard]] std::string_view to_string(Verdict verdict);
 
 struct SphereTestOptions {
   double certified_diameter_mm = 0.0;
@@ -66,9 +65,6 @@ struct SphereTest {
 /// negative, and smaller than the fitted one) and the limits too
 [[nodiscard]] SphereTest test_sphere(const ArmModel& arm, const JointReadings& readings,
                                      const SphereTestOptions& options);
-
-/// Fewest points that can contradict a sphere.
-inline constexpr Eigen::Index kLeastPointsForForm = 5;
 
 /// The same for coordinates that the arm's own software gave.
 [[nodiscard]] SphereTest test_sphere(const PointReadings& readings,
