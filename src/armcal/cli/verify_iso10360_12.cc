@@ -12,7 +12,8 @@ Command verify_iso10360_12_command() {
   command.description =
       "Runs the tests of ISO 10360-12 that FILE names: probing size and form, articulated location "
       "error, length errors.\n"
-      "Each value is held against its MPE with the uncertainty of the test and the decision rule of "
+      "Each value is held against its MPE with the uncertainty of the test and the decision rule "
+      "of "
       "FILE. Exit code 0 where\n"
       "all pass, 1 where one fails, 3 where one is undecided.";
   command.examples = {

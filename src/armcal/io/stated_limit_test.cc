@@ -36,8 +36,8 @@ TEST(StatedLimit, IsTheSmallerOfTwo) {
 TEST(StatedLimit, TakesNothingElse) {
   for (const char* text :
        {"", "L/50", "20 + L", "20 + L/0", "20 + L/-50", "-20", "0", "20 + 4L/1000", "min(20)",
-        "min(20, 80)", "min(20 + L/50, 20)", "min(20 + L/50, )", "min(20 + L/50, 80, 90)", "20 um", "20 + L/50, 80",
-        "min(min(20, 30), 40)", "nan", "1e999", "20 + L/50 + L/70"}) {
+        "min(20, 80)", "min(20 + L/50, 20)", "min(20 + L/50, )", "min(20 + L/50, 80, 90)", "20 um",
+        "20 + L/50, 80", "min(min(20, 30), 40)", "nan", "1e999", "20 + L/50 + L/70"}) {
     EXPECT_FALSE(limit_of_formula(text)) << text;
   }
 }

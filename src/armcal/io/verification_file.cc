@@ -9,14 +9,15 @@
 #include <set>
 
 #include "armcal/core/spelling.h"
-#include "armcal/io/plausibility.h"
+#include "armcal/io/checked_number.h"
 #include "armcal/io/toml_value.h"
 
 namespace armcal {
 namespace {
 
 constexpr double kMillimetresPerMicrometre = 1e-3;
-constexpr const char* kFormulas = "in um, with L in mm: 30, \"20 + L/50\" or \"min(20 + L/50, 80)\"";
+constexpr const char* kFormulas =
+    "in um, with L in mm: 30, \"20 + L/50\" or \"min(20 + L/50, 80)\"";
 
 struct KindEntry {
   std::string_view name;
@@ -40,36 +41,6 @@ const std::vector<std::string> kRules = {"iso14253-1", "conformance-probability"
 
 const KindEntry& entry_of(StatedTestKind kind) { return kKinds[static_cast<std::size_t>(kind)]; }
 
-// A number that must be larger than 0, or at least 0; `otherwise` where it is not there.
-double positive(TomlSection& section, const char* key, double otherwise, Diagnostics& diagnostics) {
-  const auto value = section.number(key);
-  if (value && !(*value > 0.0)) {
-    diagnostics.error(section.where(key),
-                      fmt::format("{} is {}: must be larger than 0", key, *value));
-  }
-  return value.value_or(otherwise);
-}
-
-double not_negative(TomlSection& section, const char* key, Diagnostics& diagnostics) {
-  const auto value = section.number(key);
-  if (value && *value < 0.0) {
-    diagnostics.error(section.where(key),
-                      fmt::format("{} is {}: must not be negative", key, *value));
-  }
-  return value.value_or(0.0);
-}
-
-// A length in mm that must be there.
-double required_length(TomlSection& section, const char* key, Diagnostics& diagnostics) {
-  const auto value = section.required_number(key);
-  if (!value) return 0.0;
-  if (!(*value > 0.0)) {
-    diagnostics.error(section.where(key),
-                      fmt::format("{} is {}: must be larger than 0", key, *value));
-  }
-  return checked_length(*value, key, section.where(key), diagnostics);
-}
-
 std::optional<AngleUnit> angle_unit_of(TomlSection& section, Diagnostics& diagnostics) {
   const auto text = section.text("angles");
   if (!text) return std::nullopt;
@@ -90,17 +61,17 @@ StatedDecision read_decision(TomlSection section, Diagnostics& diagnostics) {
     }
   }
   decision.coverage_factor =
-      positive(section, "coverage_factor", decision.coverage_factor, diagnostics);
+      positive_or(decision.coverage_factor, section, "coverage_factor", diagnostics);
   if (const auto probability = section.number("probability")) {
     decision.probability = *probability;
     if (!(*probability >= 0.5 && *probability < 1.0)) {
-      diagnostics.error(section.where("probability"),
-                        fmt::format("probability is {}: must be at least 0.5 and below 1",
-                                    *probability));
+      diagnostics.error(
+          section.where("probability"),
+          fmt::format("probability is {}: must be at least 0.5 and below 1", *probability));
     }
   }
   if (section.has("guard_factor")) {
-    decision.guard_factor = not_negative(section, "guard_factor", diagnostics);
+    decision.guard_factor = not_negative_or_zero(section, "guard_factor", diagnostics);
   }
   section.finish();
   return decision;
@@ -111,81 +82,15 @@ StatedEnvironment read_environment(TomlSection section, Diagnostics& diagnostics
   if (const auto temperature = section.number("temperature_c")) {
     environment.temperature_C = *temperature;
     if (!(*temperature > -30.0 && *temperature < 70.0)) {
-      diagnostics.error(section.where("temperature_c"),
-                        fmt::format("temperature_c is {}: no arm is verified at that",
-                                    *temperature),
-                        "temperatures are in degrees Celsius");
+      diagnostics.error(
+          section.where("temperature_c"),
+          fmt::format("temperature_c is {}: no arm is verified at that", *temperature),
+          "temperatures are in degrees Celsius");
     }
   }
-  environment.u_temperature_K = not_negative(section, "u_temperature_c", diagnostics);
+  environment.u_temperature_K = not_negative_or_zero(section, "u_temperature_c", diagnostics);
   section.finish();
   return environment;
-}
-
-// Expansion by certificate, per kelvin.
-double expansion_of(TomlSection& section, const char* key, Diagnostics& diagnostics) {
-  const double expansion = not_negative(section, key, diagnostics);
-  constexpr double kLargest = 1e-3;
-  if (expansion > kLargest) {
-    diagnostics.error(section.where(key),
-                      fmt::format("{} is {}: no material expands so much", key, expansion),
-                      "steel is 11.5e-6");
-  }
-  return expansion;
-}
-
-void read_sphere(TomlSection& section, StatedArtefact& artefact, Diagnostics& diagnostics) {
-  artefact.diameter_mm = required_length(section, "diameter_mm", diagnostics);
-  artefact.U_mm = not_negative(section, "U_um", diagnostics) * kMillimetresPerMicrometre;
-  artefact.form_mm = not_negative(section, "form_um", diagnostics) * kMillimetresPerMicrometre;
-}
-
-void read_lengths(TomlSection& section, StatedArtefact& artefact, const std::string& path,
-                  Diagnostics& diagnostics) {
-  if (const auto file = section.text("file")) artefact.file = path_beside(path, *file);
-  const auto pairs = section.pairs("lengths");
-  if (artefact.file.empty() == !section.has("lengths")) {
-    diagnostics.error(section.where(), "an artefact of lengths needs either file or lengths",
-                      "lengths = [[500.0012, 0.6]]: length in mm and its U in um; or the table, "
-                      "file = \"lengths.csv\"");
-  }
-  if (!pairs) return;
-  for (const Eigen::Vector2d& pair : *pairs) {
-    const bool sound = pair(0) > 0.0 && pair(0) <= kLongestLength_mm && pair(1) >= 0.0;
-    if (!sound) {
-      diagnostics.error(section.where("lengths"),
-                        fmt::format("[{}, {}] is no length with its uncertainty", pair(0), pair(1)),
-                        "a length in mm, larger than 0, and its U in um, not negative");
-    }
-    artefact.lengths.push_back({fmt::format("{}", artefact.lengths.size() + 1), pair(0),
-                                pair(1) * kMillimetresPerMicrometre});
-  }
-  if (pairs->empty()) diagnostics.error(section.where("lengths"), "lengths is empty");
-}
-
-StatedArtefact read_artefact(TomlSection section, const std::string& path,
-                             Diagnostics& diagnostics) {
-  StatedArtefact artefact;
-  artefact.where = section.where();
-  artefact.name = section.required_text("name").value_or("");
-  const auto kind = section.required_text("kind");
-  if (kind && *kind != "sphere" && *kind != "lengths") {
-    const std::vector<std::string> known = {"sphere", "lengths"};
-    diagnostics.error(section.where("kind"), fmt::format("unknown kind \"{}\"", *kind),
-                      did_you_mean(*kind, known));
-  }
-  artefact.is_sphere = kind != "lengths";
-  artefact.coverage_factor = positive(section, "k", artefact.coverage_factor, diagnostics);
-  artefact.expansion_per_K = expansion_of(section, "expansion_per_c", diagnostics);
-  artefact.u_expansion_per_K = expansion_of(section, "u_expansion_per_c", diagnostics);
-  artefact.certificate = section.text("certificate").value_or("");
-  if (artefact.is_sphere) {
-    read_sphere(section, artefact, diagnostics);
-  } else {
-    read_lengths(section, artefact, path, diagnostics);
-  }
-  section.finish();
-  return artefact;
 }
 
 std::optional<StatedTestKind> kind_of(TomlSection& section, Diagnostics& diagnostics) {
@@ -212,10 +117,10 @@ std::optional<StatedLimit> read_limit(TomlSection& section, const char* key, boo
     diagnostics.error(section.where(key), fmt::format("{} \"{}\" is no limit", key, *formula),
                       kFormulas);
   } else if (limit->k && !of_length) {
-    diagnostics.error(section.where(key),
-                      fmt::format("{} \"{}\" depends on a length, and this test has none", key,
-                                  *formula),
-                      "give a constant, in um");
+    diagnostics.error(
+        section.where(key),
+        fmt::format("{} \"{}\" depends on a length, and this test has none", key, *formula),
+        "give a constant, in um");
   }
   return limit;
 }
@@ -226,9 +131,9 @@ void read_artefact_name(TomlSection& section, StatedTest& test, Diagnostics& dia
     test.artefact = section.required_text("artefact").value_or("");
   } else if (section.has("artefact")) {
     static_cast<void>(section.text("artefact"));
-    diagnostics.error(section.where("artefact"),
-                      fmt::format("{} is measured in a seat: it has no artefact",
-                                  to_string(test.kind)));
+    diagnostics.error(
+        section.where("artefact"),
+        fmt::format("{} is measured in a seat: it has no artefact", to_string(test.kind)));
   }
 }
 
@@ -253,9 +158,9 @@ StatedTest read_test(TomlSection section, const std::string& path, std::optional
   test.name = section.text("name").value_or(std::string(to_string(test.kind)));
   if (const auto file = section.required_text("file")) test.file = path_beside(path, *file);
   read_table_keys(section, test, angles, diagnostics);
-  test.probe_diameter_mm = not_negative(section, "probe_diameter_mm", diagnostics);
+  test.probe_diameter_mm = not_negative_or_zero(section, "probe_diameter_mm", diagnostics);
   test.u_repeatability_mm =
-      not_negative(section, "u_repeatability_um", diagnostics) * kMillimetresPerMicrometre;
+      not_negative_or_zero(section, "u_repeatability_um", diagnostics) * kMillimetresPerMicrometre;
   if (!kind) return test;  // which other keys it has, nobody knows
   read_artefact_name(section, test, diagnostics);
   test.limit = read_limit(section, entry_of(*kind).limit, measures_lengths(*kind), diagnostics);
@@ -327,9 +232,9 @@ bool needs_sphere(StatedTestKind kind) {
 
 bool has_two_limits(StatedTestKind kind) { return entry_of(kind).second_limit != nullptr; }
 
-const StatedArtefact* VerificationFile::artefact(std::string_view name) const {
+const StatedArtefact* VerificationFile::artefact(std::string_view called) const {
   const auto at = std::find_if(artefacts.begin(), artefacts.end(),
-                               [&](const StatedArtefact& each) { return each.name == name; });
+                               [&](const StatedArtefact& each) { return each.name == called; });
   return at == artefacts.end() ? nullptr : &*at;
 }
 

@@ -12,15 +12,16 @@
 #include "armcal/io/reading_tables.h"
 #include "armcal/io/stated_limit.h"
 #include "armcal/io/text_file.h"
+#include "armcal/io/verification_artefact.h"
 
 namespace armcal {
 
 /// The tests that a verification file can ask for.
 enum class StatedTestKind {
-  probing,               ///< ISO 10360-12: size and form
-  articulated_location,  ///< ISO 10360-12
-  length_uni,            ///< ISO 10360-12
-  length_bi,             ///< ISO 10360-12
+  probing,                    ///< ISO 10360-12: size and form
+  articulated_location,       ///< ISO 10360-12
+  length_uni,                 ///< ISO 10360-12
+  length_bi,                  ///< ISO 10360-12
   effective_diameter,         ///< ASME B89.4.22
   single_point_articulation,  ///< ASME B89.4.22
   volumetric_length,          ///< ASME B89.4.22
@@ -33,29 +34,6 @@ enum class StatedTestKind {
 /// Has it two statistics, each with its limit?
 [[nodiscard]] bool has_two_limits(StatedTestKind kind);
 
-/// A calibrated length with the expanded uncertainty of its certificate.
-struct CertifiedLength {
-  std::string name;
-  double length_mm = 0.0;
-  double U_mm = 0.0;
-};
-
-/// One [[artefact]]: a sphere, or one or more calibrated lengths.
-struct StatedArtefact {
-  SourcePosition where;
-  std::string name;
-  bool is_sphere = true;
-  double diameter_mm = 0.0;
-  double U_mm = 0.0;  ///< sphere: of the diameter; lengths have their own
-  double coverage_factor = 2.0;  ///< of U
-  double form_mm = 0.0;          ///< sphere: largest minus smallest radius, by certificate
-  double expansion_per_K = 0.0;
-  double u_expansion_per_K = 0.0;
-  std::string certificate;
-  std::string file;                      ///< lengths: of their table; empty where `lengths` are given
-  std::vector<CertifiedLength> lengths;
-};
-
 /// One [[test]]: what was measured on which artefact, and the limits that it has to keep.
 struct StatedTest {
   SourcePosition where;
@@ -64,8 +42,8 @@ struct StatedTest {
   std::string artefact;  ///< empty: a seat, of which nothing is certified
   std::string file;
   double probe_diameter_mm = 0.0;
-  double u_repeatability_mm = 0.0;  ///< of what the test adds itself: fixture, clamping
-  std::optional<StatedLimit> limit;         ///< the first statistic of the kind: `mpe_um`, `mpe_size_um`
+  double u_repeatability_mm = 0.0;   ///< of what the test adds itself: fixture, clamping
+  std::optional<StatedLimit> limit;  ///< the first statistic of the kind: `mpe_um`, `mpe_size_um`
   std::optional<StatedLimit> second_limit;  ///< the second: `mpe_form_um`, `mpe_2s_um`, ..
   TableOptions table;
 };
@@ -97,7 +75,7 @@ struct VerificationFile {
   std::vector<StatedTest> tests;
 
   /// @return null where none is called so
-  [[nodiscard]] const StatedArtefact* artefact(std::string_view name) const;
+  [[nodiscard]] const StatedArtefact* artefact(std::string_view called) const;
 };
 
 /// Reads a *.verification.toml (schema armcal.verification/1: docs/files/verification.md). Problems

@@ -129,7 +129,8 @@ mpe_um = 30
   EXPECT_THAT(text, HasSubstr("diameter_mm is -25: must be larger than 0"));
   EXPECT_THAT(text, HasSubstr("mpe_size_um \"30 um\" is no limit"));
   EXPECT_THAT(text, HasSubstr("\"20 + L/50\" or \"min(20 + L/50, 80)\""));
-  EXPECT_THAT(text, HasSubstr("mpe_form_um \"20 + L/50\" depends on a length, and this test has none"));
+  EXPECT_THAT(text,
+              HasSubstr("mpe_form_um \"20 + L/50\" depends on a length, and this test has none"));
   EXPECT_THAT(text, HasSubstr("unknown key \"mpe_um\""));
 }
 
@@ -161,9 +162,9 @@ TEST(VerificationFile, RefusesNonsense) {
               HasSubstr("schema \"armcal.session/1\" is not \"armcal.verification/1\""));
   EXPECT_THAT(complaints(std::string(kHead) + "reach_mm = 1e9\n" + kSphere + kProbing),
               HasSubstr("longer than a kilometre"));
-  EXPECT_THAT(complaints(std::string(kHead) + "[environment]\ntemperature_c = 293\n" + kSphere +
-                         kProbing),
-              HasSubstr("temperatures are in degrees Celsius"));
+  EXPECT_THAT(
+      complaints(std::string(kHead) + "[environment]\ntemperature_c = 293\n" + kSphere + kProbing),
+      HasSubstr("temperatures are in degrees Celsius"));
   EXPECT_THAT(complaints(std::string(kHead) + R"([[artefact]]
 name = "bar"
 kind = "lengths"

@@ -38,8 +38,8 @@ Read read(StatedTestKind kind, const std::string& csv, int joint_count = 0,
 }
 
 TEST(VerificationTables, TakeCoordinatesWithTheirPlaces) {
-  const auto [rows, text] = read(StatedTestKind::probing,
-                                 "position,x_mm,y_mm,z_mm\nnear,1,2,3\nfar,4,5,6\n");
+  const auto [rows, text] =
+      read(StatedTestKind::probing, "position,x_mm,y_mm,z_mm\nnear,1,2,3\nfar,4,5,6\n");
   ASSERT_TRUE(rows) << text;
   EXPECT_THAT(rows->place, ElementsAre("near", "far"));
   EXPECT_EQ(rows->points_mm[1], Eigen::Vector3d(4, 5, 6));
@@ -60,8 +60,8 @@ TEST(VerificationTables, FindLengthsByNominalValueOrName) {
 }
 
 TEST(VerificationTables, PairEndsInAnySpelling) {
-  const auto [rows, text] = read(StatedTestKind::length_bi,
-                                 "length_mm,end,x_mm,y_mm,z_mm\n500,A,1,2,3\n500,b,4,5,6\n");
+  const auto [rows, text] =
+      read(StatedTestKind::length_bi, "length_mm,end,x_mm,y_mm,z_mm\n500,A,1,2,3\n500,b,4,5,6\n");
   ASSERT_TRUE(rows) << text;
   EXPECT_THAT(rows->end, ElementsAre('A', 'B'));
 }

@@ -44,9 +44,7 @@ const ResultPart* deciding_part(const Judged& judged) {
 }
 
 // A test that has its name in the file is called by both.
-std::string title_of(const VerifiedStatistic& statistic) {
-  return statistic.judged().result.name;
-}
+std::string title_of(const VerifiedStatistic& statistic) { return statistic.judged().result.name; }
 
 std::string table_of_tests(const Verification& verification) {
   const bool both = !verification.as_left_file.empty();
@@ -86,9 +84,9 @@ std::string head_of(const Verification& verification) {
   } else if (verification.as_left_file.empty()) {
     text += fmt::format("  arm            {}\n", verification.arm_file);
   } else {
-    text += fmt::format("  arm as found   {}: {}\n  arm as left    {}: {}\n",
-                        verification.arm_file, to_string(verification.as_found_verdict()),
-                        verification.as_left_file, to_string(verification.verdict()));
+    text += fmt::format("  arm as found   {}: {}\n  arm as left    {}: {}\n", verification.arm_file,
+                        to_string(verification.as_found_verdict()), verification.as_left_file,
+                        to_string(verification.verdict()));
   }
   text += fmt::format("  decision rule  {}, k = {}: {}\n", to_string(verification.rule.kind),
                       verification.coverage_factor, explain(verification.rule.kind));
@@ -164,8 +162,7 @@ std::string budgets_text(const Verification& verification) {
       table.add_row(std::move(cells));
     }
   }
-  return table.empty() ? std::string()
-                       : "\nUncertainty of the tests, um\n" + table.text();
+  return table.empty() ? std::string() : "\nUncertainty of the tests, um\n" + table.text();
 }
 
 Json json_of_part(const ResultPart& part) {

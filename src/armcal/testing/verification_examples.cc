@@ -62,12 +62,11 @@ std::map<std::string, std::string> verification_example_tables(const ArmModel& t
   };
   tables["probing.csv"] = probing_table(
       next(), {{"near", {450, 100, 100}}, {"far", {-300, 1000, 300}}}, kTouching_mm, 25);
-  tables["articulations.csv"] =
-      articulation_table(next(), {600, -300, 150}, kTouching_mm, 5, 5);
+  tables["articulations.csv"] = articulation_table(next(), {600, -300, 150}, kTouching_mm, 5, 5);
   tables["lengths.csv"] = length_table(next(), seven_positions(), 3);
-  tables["diameters.csv"] = probing_table(
-      next(), {{"1", {600, 200, 0}}, {"2", {600, 200, 0}}, {"3", {600, 200, 0}}}, kTouching_mm, 9,
-      "repeat");
+  tables["diameters.csv"] =
+      probing_table(next(), {{"1", {600, 200, 0}}, {"2", {600, 200, 0}}, {"3", {600, 200, 0}}},
+                    kTouching_mm, 9, "repeat");
   tables["seats.csv"] = seat_table(
       next(), {{"near", {250, 0, 100}}, {"middle", {600, 400, 100}}, {"far", {-900, 900, 300}}},
       10);

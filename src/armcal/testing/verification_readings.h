@@ -115,7 +115,7 @@ inline std::string seat_table(Laboratory& laboratory, const std::vector<PlacedSp
 struct PlacedBar {
   std::string name;
   Eigen::Vector3d start_mm;
-  Eigen::Vector3d direction;  ///< unit
+  Eigen::Vector3d direction;       ///< unit
   std::vector<double> lengths_mm;  ///< calibrated
 };
 

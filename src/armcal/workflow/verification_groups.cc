@@ -50,8 +50,7 @@ std::vector<Eigen::Vector3d> points(const TipRows& tips, const std::vector<std::
 
 std::vector<Group> by_column(const VerificationRows& rows, const std::vector<std::string>& column) {
   std::vector<Group> groups;
-  for (auto& members :
-       grouped(rows.count(), [&](std::size_t row) { return field(column, row); })) {
+  for (auto& members : grouped(rows.count(), [&](std::size_t row) { return field(column, row); })) {
     groups.push_back({field(column, members.front()), std::move(members)});
   }
   return groups;
@@ -75,8 +74,7 @@ std::vector<Group> by_place_and_repeat(const VerificationRows& rows) {
 std::vector<SpherePoints> spheres_of(const TipRows& tips, const std::vector<Group>& groups) {
   std::vector<SpherePoints> spheres;
   for (const Group& group : groups) {
-    spheres.push_back(
-        {group.name, points(tips, group.rows), place(tips.rows, group.rows.front())});
+    spheres.push_back({group.name, points(tips, group.rows), place(tips.rows, group.rows.front())});
   }
   return spheres;
 }
@@ -153,12 +151,11 @@ class LengthReader {
   }
 
   void complain(std::size_t row, char end, const std::string& what, const std::string& remedy) {
-    diagnostics_.error(
-        {rows_.file, rows_.lines[row], 0},
-        fmt::format("end {} of {:.4f} mm at position {}, repeat {}: {}", end,
-                    reading_.calibrated_mm[rows_.length[row]], field(rows_.place, row),
-                    field(rows_.repeat, row), what),
-        remedy);
+    diagnostics_.error({rows_.file, rows_.lines[row], 0},
+                       fmt::format("end {} of {:.4f} mm at position {}, repeat {}: {}", end,
+                                   reading_.calibrated_mm[rows_.length[row]],
+                                   field(rows_.place, row), field(rows_.repeat, row), what),
+                       remedy);
   }
 
   const TipRows& tips_;

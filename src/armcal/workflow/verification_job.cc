@@ -18,8 +18,7 @@ namespace armcal {
 namespace {
 
 const char* name_of(VerificationStandard standard) {
-  return standard == VerificationStandard::iso10360_12 ? "ISO 10360-12:2016"
-                                                       : "ASME B89.4.22-2004";
+  return standard == VerificationStandard::iso10360_12 ? "ISO 10360-12:2016" : "ASME B89.4.22-2004";
 }
 
 DecisionRule rule_of(const StatedDecision& decision) {
@@ -124,9 +123,8 @@ class VerificationJob {
     const CsvTable* table = table_of(test);
     if (table == nullptr) return;
     const StatedArtefact* artefact = file_.artefact(test.artefact);
-    const auto rows = verification_rows(*table, test, artefact,
-                                        as_found_ ? as_found_->joint_count() : 0,
-                                        files_.diagnostics());
+    const auto rows = verification_rows(
+        *table, test, artefact, as_found_ ? as_found_->joint_count() : 0, files_.diagnostics());
     if (!rows) return;
     const PreparedTest prepared{
         test,
@@ -149,8 +147,7 @@ class VerificationJob {
   std::vector<TestResult> measured(const PreparedTest& test, const VerificationRows& rows,
                                    const std::optional<ArmModel>& arm) {
     const std::size_t errors_before = files_.diagnostics().error_count();
-    const auto tips =
-        rows.has_angles() ? tips_in_base(*arm, rows.encoder_rad) : rows.points_mm;
+    const auto tips = rows.has_angles() ? tips_in_base(*arm, rows.encoder_rad) : rows.points_mm;
     const Eigen::Vector3d first_axis_mm =
         arm ? arm->base_from_first_joint * Eigen::Vector3d::Zero().eval() : file_.origin_mm;
     auto results = statistics_of(test, {rows, tips}, first_axis_mm, files_.diagnostics());

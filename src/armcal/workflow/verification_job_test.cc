@@ -6,8 +6,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "armcal/core/units.h"
+#include "armcal/io/arm_file.h"
+#include "armcal/testing/random_arms.h"
+#include "armcal/testing/second_kinematics.h"
 #include "armcal/testing/temporary_folder.h"
 #include "armcal/testing/verification_readings.h"
 
@@ -40,7 +45,7 @@ std::string point_row(const std::string& fields, const Eigen::Vector3d& p) {
   return fmt::format("{},{},{},{}\n", fields, p.x(), p.y(), p.z());
 }
 
-/// Points at a distance from a centre; the first is farther out by `bump_mm`.
+/// Points at a distance from a centre.
 std::string sphere_rows(const std::string& fields, const Eigen::Vector3d& center, double radius_mm,
                         int count) {
   std::string rows;
@@ -178,8 +183,8 @@ TEST_F(VerificationJobTest, NamesWhatIsMissingAndComputesItOnlyIfAsked) {
 }
 
 TEST_F(VerificationJobTest, NamesMissingPointsAndPositions) {
-  folder_.write("probing.csv", "position,x_mm,y_mm,z_mm\n" +
-                                   sphere_rows("A", {300, 0, 0}, 15.5, 24));
+  folder_.write("probing.csv",
+                "position,x_mm,y_mm,z_mm\n" + sphere_rows("A", {300, 0, 0}, 15.5, 24));
   const std::string text = iso_complaint(kProbing);
   EXPECT_THAT(text, HasSubstr("24 points"));
   EXPECT_THAT(text, HasSubstr("1 sphere position"));
@@ -291,6 +296,80 @@ file = "seats.csv"
   EXPECT_NEAR(half_range.value_mm.value(), 0.010, kExact_mm);
   EXPECT_THAT(half_range.name, HasSubstr("half range per axis"));
   EXPECT_THAT(half_range.name, Not(HasSubstr("articulation")));
+}
+
+/// Postures near each other, and the tips of an arm there by a kinematics that is not the
+/// library's.
+struct SeatPostures {
+  explicit SeatPostures(RandomStream& random) {
+    const auto middle = testing::random_posture(6, random, 1.0);
+    for (int i = 0; i < 10; ++i) {
+      std::vector<double> posture = middle;
+      for (double& angle : posture) angle += 1e-4 * random.normal();
+      degrees.emplace_back();
+      for (const double angle : posture) degrees.back().push_back(degrees_from_radians(angle));
+    }
+  }
+
+  [[nodiscard]] std::string table() const {
+    std::string rows = "q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg\n";
+    for (const auto& row : degrees) rows += fmt::format("{}\n", fmt::join(row, ","));
+    return rows;
+  }
+
+  [[nodiscard]] std::vector<Eigen::Vector3d> tips(const ArmModel& arm) const {
+    const testing::SecondKinematics kinematics(arm, {});
+    std::vector<Eigen::Vector3d> tips;
+    for (const auto& row : degrees) {
+      std::vector<double> posture;
+      for (const double angle : row) posture.push_back(radians_from_degrees(angle));
+      const auto tip = kinematics.tip<double>(nullptr, posture.data());
+      tips.emplace_back(tip[0], tip[1], tip[2]);
+    }
+    return tips;
+  }
+
+  std::vector<std::vector<double>> degrees;
+};
+
+double largest_deviation_mm(const std::vector<Eigen::Vector3d>& tips) {
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  for (const auto& tip : tips) mean += tip / static_cast<double>(tips.size());
+  double largest = 0.0;
+  for (const auto& tip : tips) largest = std::max(largest, (tip - mean).norm());
+  return largest;
+}
+
+// The same angles give what each of two arms would have measured.
+TEST_F(VerificationJobTest, PutsAnglesThroughTheArmAsFoundAndAsLeft) {
+  RandomStream random(1, 1);
+  for (int trial = 0; trial < 10; ++trial) {
+    const ArmModel as_found = testing::random_arm(6, random, {.harmonics = 1});
+    ArmModel as_left = as_found;
+    as_left.tip.a_mm += 20.0;
+    const SeatPostures seat(random);
+    folder_.write("found.arm.toml", arm_text(as_found));
+    folder_.write("left.arm.toml", arm_text(as_left));
+    folder_.write("seat.csv", seat.table());
+    const std::string path = folder_.write("seat.verification.toml", R"(
+schema = "armcal.verification/1"
+arm = "found.arm.toml"
+as_left = "left.arm.toml"
+reach_mm = 20000
+[[test]]
+kind = "single_point_articulation"
+file = "seat.csv"
+)");
+    InputFiles files;
+    const Verification verification = run_verification(
+        files, path, {.standard = VerificationStandard::b89_4_22, .incomplete = true});
+    const VerifiedStatistic& largest = verification.statistics.front();
+    EXPECT_NEAR(largest.as_found.result.value_mm.value(), largest_deviation_mm(seat.tips(as_found)),
+                kExact_mm);
+    ASSERT_TRUE(largest.as_left);
+    EXPECT_NEAR(largest.as_left->result.value_mm.value(), largest_deviation_mm(seat.tips(as_left)),
+                kExact_mm);
+  }
 }
 
 TEST_F(VerificationJobTest, SaysWhenThereIsNothingToDo) {

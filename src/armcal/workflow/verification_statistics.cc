@@ -19,14 +19,14 @@ namespace armcal {
 namespace {
 
 ArtefactCertificate certificate_of_sphere(const StatedArtefact& artefact) {
-  return {artefact.diameter_mm, artefact.U_mm,
+  return {artefact.diameter_mm,     artefact.U_mm,
           artefact.coverage_factor, artefact.form_mm,
           artefact.expansion_per_K, artefact.u_expansion_per_K};
 }
 
 ArtefactCertificate certificate_of_length(const StatedArtefact& artefact,
                                           const CertifiedLength& length) {
-  return {length.length_mm, length.U_mm,
+  return {length.length_mm,         length.U_mm,
           artefact.coverage_factor, 0.0,
           artefact.expansion_per_K, artefact.u_expansion_per_K};
 }
@@ -40,8 +40,8 @@ ReferenceSphere sphere_of(const PreparedTest& test) {
 std::vector<double> calibrated_lengths_mm(const PreparedTest& test) {
   std::vector<double> lengths;
   for (const CertifiedLength& length : test.artefact->lengths) {
-    lengths.push_back(value_at_temperature_mm(certificate_of_length(*test.artefact, length),
-                                              test.environment));
+    lengths.push_back(
+        value_at_temperature_mm(certificate_of_length(*test.artefact, length), test.environment));
   }
   return lengths;
 }
@@ -50,8 +50,7 @@ std::vector<MeasuredLength> lengths_of(const PreparedTest& test, const TipRows& 
                                        Diagnostics& diagnostics) {
   const bool opposite = test.stated.kind == StatedTestKind::length_bi;
   return measured_lengths(
-      tips,
-      {calibrated_lengths_mm(test), opposite ? test.stated.probe_diameter_mm : 0.0, opposite},
+      tips, {calibrated_lengths_mm(test), opposite ? test.stated.probe_diameter_mm : 0.0, opposite},
       diagnostics);
 }
 
@@ -72,8 +71,7 @@ std::vector<TestResult> articulations(const PreparedTest& test, const TipRows& t
                       "at the top of the file");
     return {};
   }
-  return b89_4_22::single_point_articulation(seats_by_place(tips),
-                                             {first_axis_mm, *test.reach_mm});
+  return b89_4_22::single_point_articulation(seats_by_place(tips), {first_axis_mm, *test.reach_mm});
 }
 
 TestUncertainty budget_of_sphere(const PreparedTest& test, std::size_t statistic) {
@@ -112,10 +110,9 @@ TestBudget budget_of_twice_rms(const std::vector<TestBudget>& of_lengths) {
 std::vector<TestBudget> budgets_of_lengths(const PreparedTest& test) {
   std::vector<TestBudget> budgets;
   for (const CertifiedLength& length : test.artefact->lengths) {
-    budgets.push_back(
-        {fmt::format("{:.4f} mm", length.length_mm),
-         length_error_uncertainty(certificate_of_length(*test.artefact, length),
-                                  test.environment)});
+    budgets.push_back({fmt::format("{:.4f} mm", length.length_mm),
+                       length_error_uncertainty(certificate_of_length(*test.artefact, length),
+                                                test.environment)});
   }
   return budgets;
 }
@@ -155,15 +152,13 @@ std::vector<TestBudget> budgets_of(const PreparedTest& test, std::size_t statist
   if (measures_lengths(test.stated.kind)) {
     budgets = budgets_of_lengths(test);
   } else {
-    budgets.push_back(
-        {"", needs_sphere(test.stated.kind) ? budget_of_sphere(test, statistic)
-                                            : TestUncertainty{}});
+    budgets.push_back({"", needs_sphere(test.stated.kind) ? budget_of_sphere(test, statistic)
+                                                          : TestUncertainty{}});
   }
   for (TestBudget& budget : budgets) {
     add_repeatability(budget.uncertainty, test.stated.u_repeatability_mm);
   }
-  const bool is_twice_rms =
-      test.stated.kind == StatedTestKind::volumetric_length && statistic == 1;
+  const bool is_twice_rms = test.stated.kind == StatedTestKind::volumetric_length && statistic == 1;
   if (is_twice_rms) budgets = {budget_of_twice_rms(budgets)};
   return budgets;
 }
@@ -172,8 +167,8 @@ std::vector<ExpandedUncertainty> uncertainties_of(const std::vector<TestBudget>&
                                                   const PreparedTest& test,
                                                   const TestResult& result,
                                                   double coverage_factor) {
-  const bool by_length = budgets.size() > 1 && !result.parts.empty() &&
-                         result.parts.front().length_mm.has_value();
+  const bool by_length =
+      budgets.size() > 1 && !result.parts.empty() && result.parts.front().length_mm.has_value();
   if (!by_length) return {budgets.front().uncertainty.with_factor(coverage_factor)};
   const std::vector<double> calibrated_mm = calibrated_lengths_mm(test);
   std::vector<ExpandedUncertainty> uncertainties;
