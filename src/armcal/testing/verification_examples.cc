@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "armcal/testing/verification_examples.h"
 
+#include <Eigen/LU>
+
+#include "armcal/arm/forward_kinematics.h"
 #include "armcal/testing/verification_readings.h"
 
 namespace armcal::testing {
@@ -48,6 +51,51 @@ std::vector<PlacedBar> twenty_placements() {
   return bars;
 }
 
+// A posture and the sphere of the 2016 paper that its tip touches first.
+struct StillPosture {
+  std::string name;
+  std::vector<double> posture_deg;
+};
+
+// The posture with joints 1, 2 and 4 moved so that the tip is on a point.
+Eigen::VectorXd with_still_wrist(const ForwardKinematics& kinematics, Eigen::VectorXd encoder_rad,
+                                 const Eigen::Vector3d& point_mm) {
+  constexpr int kIterations = 20;  // of Newton; a few degrees away it needs five
+  TipLinearisation at;
+  for (int i = 0; i < kIterations; ++i) {
+    kinematics.linearise({encoder_rad.data(), static_cast<std::size_t>(encoder_rad.size())}, at);
+    Eigen::Matrix3d J;
+    J << at.J_tip_encoder.col(0), at.J_tip_encoder.col(1), at.J_tip_encoder.col(3);
+    const Eigen::Vector3d step = J.partialPivLu().solve(point_mm - at.tip_mm);
+    encoder_rad(0) += step(0);
+    encoder_rad(1) += step(1);
+    encoder_rad(3) += step(2);
+  }
+  return encoder_rad;
+}
+
+std::string still_wrist_table(Laboratory& laboratory, const std::vector<StillPosture>& postures) {
+  constexpr double kTouchingPaper_mm = (15.8754 + kProbe_mm) / 2.0;
+  const ForwardKinematics kinematics(laboratory.arm().truth());
+  VerificationTable table(laboratory, "position,point");
+  for (const StillPosture& still : postures) {
+    Eigen::VectorXd start_rad(6);
+    for (Eigen::Index j = 0; j < 6; ++j) {
+      start_rad(j) = radians_from_degrees(still.posture_deg[static_cast<std::size_t>(j)]);
+    }
+    const auto directions = probing_directions(25);
+    const Eigen::Vector3d center_mm =
+        kinematics.tip_in_base({start_rad.data(), 6}) - kTouchingPaper_mm * directions.front();
+    int number = 0;
+    for (const Eigen::Vector3d& direction : directions) {
+      const Eigen::Vector3d point_mm = center_mm + kTouchingPaper_mm * direction;
+      table.add(fmt::format("{},{}", still.name, ++number), point_mm,
+                with_still_wrist(kinematics, start_rad, point_mm));
+    }
+  }
+  return table.text();
+}
+
 }  // namespace
 
 std::map<std::string, std::string> verification_example_tables(const ArmModel& truth) {
@@ -71,6 +119,8 @@ std::map<std::string, std::string> verification_example_tables(const ArmModel& t
       next(), {{"near", {250, 0, 100}}, {"middle", {600, 400, 100}}, {"far", {-900, 900, 300}}},
       10);
   tables["twenty-lengths.csv"] = length_table(next(), twenty_placements(), 1, "placement");
+  tables["still-wrist.csv"] = still_wrist_table(
+      next(), {{"left", {-171, 41, 10, 66, 55, 85}}, {"right", {109, 58, 1, 83, 83, -23}}});
   return tables;
 }
 

@@ -188,7 +188,7 @@ TEST_F(VerificationJobTest, NamesMissingPointsAndPositions) {
   const std::string text = iso_complaint(kProbing);
   EXPECT_THAT(text, HasSubstr("24 points"));
   EXPECT_THAT(text, HasSubstr("1 sphere position"));
-  EXPECT_THAT(text, HasSubstr("arm.verification.toml:11:"));
+  EXPECT_THAT(text, HasSubstr("arm.verification.toml:12:"));
 }
 
 TEST_F(VerificationJobTest, RefusesAnotherSphereAndOtherUnitsEvenIfIncompleteIsAllowed) {
