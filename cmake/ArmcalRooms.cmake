@@ -12,7 +12,7 @@ add_custom_target(room_order ALL
 # compiles the public headers without these.
 add_library(armcal_common_headers OBJECT EXCLUDE_FROM_ALL ${PROJECT_SOURCE_DIR}/cmake/precompiled.cc)
 target_precompile_headers(armcal_common_headers PRIVATE
-  <Eigen/Core> <algorithm> <functional> <map> <optional> <string> <vector>)
+  <Eigen/Core> <algorithm> <functional> <map> <nlohmann/json.hpp> <optional> <string> <vector>)
 target_link_libraries(armcal_common_headers PRIVATE armcal_compiler armcal_watched Eigen3::Eigen)
 
 function(armcal_room name)

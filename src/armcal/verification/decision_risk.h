@@ -22,7 +22,7 @@ struct DecisionRisk {
   [[nodiscard]] double false_among_accepted() const { return false_acceptance / accepted; }
 };
 
-/// How often a rule errs (JCGM 106:2012, 9.5). theory/verification.md eq. (14).
+/// How often a rule errs (JCGM 106:2012, 3.3.15, 3.3.16, 9.5). theory/verification.md eq. (14).
 ///
 /// By quadrature over the true values, to 1e-10 absolute. Agrees with the table of NCSLI RP-19 and
 /// Deaver's example.

@@ -66,7 +66,7 @@ struct DecisionRule {
 /// Probability that the true value lies within the limits, for a normal distribution of standard
 /// deviation u about the measured value (JCGM 106:2012, 7.2-7.4). theory/verification.md eq. (12).
 /// u = 0: 1 inside, 0 outside. One minus it is the specific consumer's risk of what is accepted,
-/// and it is itself the specific producer's risk of what is rejected (9.3.2).
+/// and it is itself the specific producer's risk of what is rejected (3.3.13, 3.3.14).
 /// @throws std::invalid_argument for a negative u, or limits that are both left out or cross
 [[nodiscard]] double conformance_probability(double value, double u, const ToleranceLimits& limits);
 

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "armcal/verification/as_asked.h"
@@ -11,7 +12,9 @@
 namespace armcal {
 namespace {
 
+// More than any arm that is taken for one measures wrong.
 constexpr double kAnotherLengthShare = 0.1;
+constexpr double kAnotherLength_mm = 5.0;
 
 std::string name_of(const MeasuredLength& length) {
   std::string name = fmt::format("{:.6g} mm", length.calibrated_mm);
@@ -28,9 +31,11 @@ std::optional<std::string> problem_of(const MeasuredLength& length) {
     return fmt::format("measured length {} mm must be larger than 0", length.measured_mm);
   }
   const double error_mm = std::abs(length.measured_mm - length.calibrated_mm);
-  if (error_mm <= kAnotherLengthShare * length.calibrated_mm) return std::nullopt;
-  const std::string measured = fmt::format("{:.4f} mm was measured: ", length.measured_mm);
+  const double tolerated_mm =
+      std::max(kAnotherLength_mm, kAnotherLengthShare * length.calibrated_mm);
   const auto unit = unit_that_explains(length.measured_mm, length.calibrated_mm);
+  if (error_mm <= tolerated_mm && !unit) return std::nullopt;
+  const std::string measured = fmt::format("{:.4f} mm was measured: ", length.measured_mm);
   return measured + unit.value_or("another length?");
 }
 

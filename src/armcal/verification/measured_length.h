@@ -23,7 +23,7 @@ struct MeasuredLength {
 [[nodiscard]] std::vector<ResultPart> length_errors(std::span<const MeasuredLength> lengths);
 
 /// What makes lengths wrong rather than inaccurate: not finite, not positive, or off by more than a
-/// tenth, with the unit named where the ratio is that of one (10, 25.4, 100, 1000).
+/// tenth and 5 mm; with the unit named where the ratio is that of one (10, 25.4, 100, 1000).
 [[nodiscard]] std::vector<std::string> problems_of(std::span<const MeasuredLength> lengths);
 
 }  // namespace armcal

@@ -41,18 +41,21 @@ ArmModel wrong_arm() {
   return arm;
 }
 
+Eigen::VectorXd middle_posture() { return testing::degrees({10, 60, 107, -48, -8, 16}); }
+
 // The true arm goes to each of the points, from a posture about a given one; the tips as the other
 // arm sees them.
-Points seen(const ArmModel& arm, const Points& targets, double scatter_rad, RandomStream& random) {
+Points seen(const ArmModel& arm, const Points& targets, double scatter_rad, RandomStream& random,
+            const std::vector<int>& joints = {}) {
   const ForwardKinematics truth(testing::consistent_romer());
-  const Eigen::VectorXd middle = testing::degrees({10, 60, 107, -48, -8, 16});
+  const Eigen::VectorXd middle = middle_posture();
   Eigen::MatrixXd postures(6, static_cast<Eigen::Index>(targets.size()));
   for (std::size_t i = 0; i < targets.size(); ++i) {
     PostureSearch search;
     while (!search.found) {
       Eigen::VectorXd start = middle;
       for (double& angle : start) angle += random.uniform(-scatter_rad, scatter_rad);
-      search = find_posture(truth, targets[i], start);
+      search = find_posture(truth, targets[i], start, {.joints = joints});
     }
     postures.col(static_cast<Eigen::Index>(i)) = search.encoder_rad;
   }
@@ -139,12 +142,11 @@ TEST(StandardsOnArms, LocationAgreesWithASecondComputation) {
 TEST(StandardsOnArms, ArticulationInSeatsAgreesWithASecondComputation) {
   RandomStream random(33);
   std::vector<b89_4_22::SeatPoints> seats;
-  const double reach = 1500.0;
   for (const auto& center : {place(120, 150, 200), place(450, 300, 350), place(-1100, 500, 200)}) {
     seats.push_back(
         {std::to_string(seats.size()), seen(wrong_arm(), Points(10, center), 0.5, random), ""});
   }
-  const auto results = b89_4_22::single_point_articulation(seats, {place(0, 0, 0), reach});
+  const auto results = b89_4_22::single_point_articulation(seats, b89_4_22::reach_of(wrong_arm()));
   ASSERT_EQ(results.size(), 6u);
   for (std::size_t s = 0; s < 3; ++s) {
     const Eigen::Map<const Eigen::Matrix3Xd> tips(seats[s].points_mm.front().data(), 3, 10);
@@ -153,6 +155,20 @@ TEST(StandardsOnArms, ArticulationInSeatsAgreesWithASecondComputation) {
     EXPECT_NEAR(results[2 * s + 1].value_mm.value(), 2.0 * from_mean.norm() / 3.0, kSame_mm);
     EXPECT_TRUE(results[2 * s].complete());
   }
+}
+
+TEST(StandardsOnArms, AnArmThatIsFarOffIsJudgedAndNotTakenForAnotherSphere) {
+  // The tip as the 2016 paper prints it, the wrist held still.
+  RandomStream random(36);
+  const Eigen::VectorXd middle = middle_posture();
+  const Eigen::Vector3d center =
+      ForwardKinematics(testing::consistent_romer()).tip_in_base({middle.data(), 6});
+  const Points targets = testing::points_on_sphere(center, 31.0, 25, 0.0);
+  const Points tips = seen(testing::printed_romer(), targets, 0.0, random, {1, 2, 4});
+  const std::vector<SpherePoints> one = {{"1", tips, ""}};
+  const TestResult form = iso10360_12::probing_form(one, kSphere);
+  EXPECT_GT(form.value_mm.value(), 1.0);
+  EXPECT_TRUE(form.problems.empty()) << form.problems.front();
 }
 
 // An arm that takes every length for 0.05 % too long, angles right.

@@ -53,7 +53,7 @@ TEST(TestUncertainty, FormCountsTwiceInADiameterAndHalfInAForm) {
 }
 
 TEST(TestUncertainty, EffectiveFreedomIsThatOfTheGumsExample) {
-  // GUM G.4.1 note and H.1.6: u_c = 32 nm from 25 (18 dof), 9.7 (25.6), 2.9 (50), 16.6 (2): 16.7.
+  // GUM H.1.6: u_c = 32 nm from 25 (18 dof), 9.7 (25.6), 2.9 (50), 16.6 (2): 16.7.
   const auto part = [](double u, double freedom) {
     return UncertaintyContribution{.name = "", .u = u, .degrees_of_freedom = freedom};
   };

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "armcal/verification/b89_4_22/effective_diameter.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 
 #include "armcal/verification/as_asked.h"
@@ -27,6 +25,25 @@ double standard_deviation_of(const std::vector<ResultPart>& parts, double mean) 
   return std::sqrt(squares / static_cast<double>(parts.size() - 1));
 }
 
+// The diameters, and what the fits lack or cannot be.
+void add_fits(std::span<const SpherePoints> fits, const ReferenceSphere& sphere,
+              TestResult& result) {
+  if (fits.size() < kLeastFits) {
+    add_unless_as_asked(result.missing, fits.size(), kLeastFits, "fit");
+  }
+  for (const SpherePoints& fit : fits) {
+    add_unless_as_asked(result.missing, fit.points_mm.size(), kPoints, "point",
+                        " in fit " + fit.name);
+    const ProbedSphere probed = probe_sphere(fit, sphere, "fit");
+    if (probed.problem) result.problems.push_back(*probed.problem);
+    if (!probed.ok()) continue;
+    result.parts.push_back({.name = "fit " + fit.name,
+                            .value_mm = probed.diameter_error_mm,
+                            .readings = static_cast<int>(fit.points_mm.size()),
+                            .where = fit.where});
+  }
+}
+
 }  // namespace
 
 std::vector<TestResult> effective_diameter(std::span<const SpherePoints> fits,
@@ -37,20 +54,7 @@ std::vector<TestResult> effective_diameter(std::span<const SpherePoints> fits,
   mean.definition =
       "mean of the diameters of least-squares spheres through nine points each, probe taken off, "
       "minus the certified diameter; parts: each diameter minus the certified one";
-  if (fits.size() < kLeastFits) {
-    add_unless_as_asked(mean.missing, fits.size(), kLeastFits, "fit");
-  }
-  for (const SpherePoints& fit : fits) {
-    add_unless_as_asked(mean.missing, fit.points_mm.size(), kPoints, "point",
-                        " in fit " + fit.name);
-    const ProbedSphere probed = probe_sphere(fit, sphere, "fit");
-    if (probed.problem) mean.problems.push_back(*probed.problem);
-    if (!probed.ok()) continue;
-    mean.parts.push_back({.name = "fit " + fit.name,
-                          .value_mm = probed.diameter_error_mm,
-                          .readings = static_cast<int>(fit.points_mm.size()),
-                          .where = fit.where});
-  }
+  add_fits(fits, sphere, mean);
   TestResult spread = mean;
   spread.name = "effective diameter, standard deviation";
   spread.definition =

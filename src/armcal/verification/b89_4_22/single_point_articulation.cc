@@ -85,6 +85,10 @@ ReachZone zone_of(double distance_mm, double reach_mm) {
   return distance_mm > kFarAbove * reach_mm ? ReachZone::far : ReachZone::middle;
 }
 
+ArmReach reach_of(const ArmModel& arm) {
+  return {arm.base_from_first_joint.translation_mm, reach_mm(arm)};
+}
+
 SeatScatter scatter_in_seat(std::span<const Eigen::Vector3d> points_mm) {
   if (points_mm.empty()) throw std::invalid_argument("scatter in a seat: there are no points");
   const double count = static_cast<double>(points_mm.size());

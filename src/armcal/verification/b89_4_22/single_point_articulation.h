@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "armcal/arm/arm_model.h"
 #include "armcal/verification/test_result.h"
 
 namespace armcal::b89_4_22 {
@@ -42,6 +43,10 @@ struct ArmReach {
   Eigen::Vector3d first_axis_origin_mm = Eigen::Vector3d::Zero();  ///< origin of its first joint
   double reach_mm = 0.0;
 };
+
+/// The first joint's origin in the base frame, and the longest conceivable reach: for arms whose
+/// data sheet states none.
+[[nodiscard]] ArmReach reach_of(const ArmModel& arm);
 
 /// Single-point articulation ("SPAT") of ASME B89.4.22-2004: ten articulations in a seat, in each
 /// of the zones near, middle and far.

@@ -4,6 +4,7 @@
 
 #include "armcal/geometry/smallest_enclosing_sphere.h"
 #include "armcal/verification/iso10360_12/sphere_sets.h"
+#include "armcal/verification/iso10360_12/standard.h"
 
 namespace armcal::iso10360_12 {
 

@@ -3,7 +3,7 @@
 #include "armcal/verification/iso10360_12/length_error_uni.h"
 
 #include "armcal/verification/iso10360_12/length_layout.h"
-#include "armcal/verification/iso10360_12/sphere_sets.h"
+#include "armcal/verification/iso10360_12/standard.h"
 
 namespace armcal::iso10360_12 {
 

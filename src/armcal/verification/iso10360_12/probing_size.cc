@@ -3,6 +3,7 @@
 #include "armcal/verification/iso10360_12/probing_size.h"
 
 #include "armcal/verification/iso10360_12/sphere_sets.h"
+#include "armcal/verification/iso10360_12/standard.h"
 
 namespace armcal::iso10360_12 {
 

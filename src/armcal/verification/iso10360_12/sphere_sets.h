@@ -9,8 +9,6 @@
 
 namespace armcal::iso10360_12 {
 
-inline constexpr const char* kStandard = "ISO 10360-12:2016";
-
 /// Sets of points on a sphere that a test of the standard asks for.
 struct AskedSets {
   const char* word;   ///< "position" or "articulation", for the messages of one set
