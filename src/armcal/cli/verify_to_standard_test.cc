@@ -68,8 +68,9 @@ TEST(VerifyToStandard, FailsWithCode1) {
 TEST(VerifyToStandard, FindsALongScaleWithLengthsOnly) {
   const auto wrong = verify("b89.4.22", verification_example("long-scale"), {"--json"});
   EXPECT_EQ(wrong.code, kDoesNotConform) << wrong.err;
+  const Json tests = wrong.json()["tests"];
   int lengths = 0;
-  for (const Json& test : wrong.json()["tests"]) {
+  for (const Json& test : tests) {
     const bool of_lengths = test["test"] == "volumetric_length";
     EXPECT_EQ(test["verdict"], of_lengths ? "fail" : "pass") << test["name"];
     lengths += of_lengths ? 1 : 0;

@@ -149,7 +149,7 @@ class VerificationJob {
     const std::size_t errors_before = files_.diagnostics().error_count();
     const auto tips = rows.has_angles() ? tips_in_base(*arm, rows.encoder_rad) : rows.points_mm;
     const Eigen::Vector3d first_axis_mm =
-        arm ? arm->base_from_first_joint * Eigen::Vector3d::Zero().eval() : file_.origin_mm;
+        arm ? b89_4_22::reach_of(*arm).first_axis_origin_mm : file_.origin_mm;
     auto results = statistics_of(test, {rows, tips}, first_axis_mm, files_.diagnostics());
     if (files_.diagnostics().error_count() > errors_before) return {};
     complain(test.stated, results);

@@ -298,6 +298,47 @@ file = "seats.csv"
   EXPECT_THAT(half_range.name, Not(HasSubstr("articulation")));
 }
 
+// 1000 mm that expand by 1e-5 per kelvin are 1000.1 mm at 30 degC.
+TEST_F(VerificationJobTest, TakesCertificatesToTheTemperatureOfTheTest) {
+  folder_.write("length.csv", "measured_mm\n1000.1\n");
+  const std::string path = folder_.write("warm.verification.toml", R"(
+schema = "armcal.verification/1"
+[environment]
+temperature_c = 30
+u_temperature_c = 0.4
+[[artefact]]
+name = "bar"
+kind = "lengths"
+lengths = [[1000, 6]]
+expansion_per_c = 1e-5
+[[test]]
+kind = "length_uni"
+artefact = "bar"
+file = "length.csv"
+u_repeatability_um = 12
+mpe_um = 100
+)");
+  InputFiles files;
+  VerificationWishes wishes;
+  wishes.incomplete = true;
+  const Verification verification = run_verification(files, path, wishes);
+  const Judged& judged = verification.statistics.front().judged();
+  EXPECT_NEAR(judged.result.value_mm.value(), 0.0, kExact_mm);
+  EXPECT_NEAR(judged.U_mm.value(), 2 * 0.013, 1e-12);  // 3, 4 and 12 um make 13 um
+}
+
+TEST_F(VerificationJobTest, JudgesByEveryRule) {
+  folder_.write("lengths.csv", measured_rows(7, 1.00001));
+  for (const char* rule :
+       {"iso14253-1", "conformance-probability", "simple-acceptance", "guard-band"}) {
+    const std::string path =
+        folder_.write("rule.verification.toml",
+                      fmt::format("{}{}[decision]\nrule = \"{}\"\n", kHead, kLengths, rule));
+    InputFiles files;
+    EXPECT_EQ(to_string(run_verification(files, path, {}).rule.kind), rule);
+  }
+}
+
 /// Postures near each other, and the tips of an arm there by a kinematics that is not the
 /// library's.
 struct SeatPostures {
