@@ -76,6 +76,23 @@ TEST(VerificationTables, TakeTheirRowsOfASharedTable) {
                         "test holds: other"));
 }
 
+// A worksheet has the columns of every test; those that a test does not use are empty in its rows.
+TEST(VerificationTables, TakeEmptyColumnsForThoseOfOtherTests) {
+  const std::string head = "test,position,placement,repeat,length_mm,end,x_mm,y_mm,z_mm\n";
+  const auto sphere = read(StatedTestKind::probing, head + "probing,near,,,,,1,2,3\n");
+  ASSERT_TRUE(sphere.rows) << sphere.text;
+  EXPECT_THAT(sphere.rows->place, ElementsAre("near"));
+  EXPECT_TRUE(sphere.rows->repeat.empty());
+  const auto lengths =
+      read(StatedTestKind::volumetric_length, head +
+                                                  "volumetric_length,,7,,500,A,1,2,3\n"
+                                                  "probing,near,,,,,1,2,4\n"
+                                                  "volumetric_length,,7,,500,B,4,5,6\n");
+  ASSERT_TRUE(lengths.rows) << lengths.text;
+  EXPECT_THAT(lengths.rows->place, ElementsAre("7", "7"));
+  EXPECT_THAT(lengths.rows->end, ElementsAre('A', 'B'));
+}
+
 TEST(VerificationTables, NameWhatIsMissing) {
   EXPECT_THAT(read(StatedTestKind::articulated_location, "x_mm,y_mm,z_mm\n1,2,3\n").text,
               HasSubstr("has no column articulation"));

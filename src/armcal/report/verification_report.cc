@@ -43,9 +43,6 @@ const ResultPart* deciding_part(const Judged& judged) {
   return at == parts.end() ? nullptr : &*at;
 }
 
-// A test that has its name in the file is called by both.
-std::string title_of(const VerifiedStatistic& statistic) { return statistic.judged().result.name; }
-
 std::string table_of_tests(const Verification& verification) {
   const bool both = !verification.as_left_file.empty();
   std::vector<TextTable::Column> columns = {{"test", Align::left}, {"symbol", Align::left}};
@@ -59,7 +56,7 @@ std::string table_of_tests(const Verification& verification) {
   for (const VerifiedStatistic& statistic : verification.statistics) {
     const Judged& judged = statistic.judged();
     const std::string& symbol = judged.result.symbol;
-    std::vector<std::string> cells = {title_of(statistic), symbol.empty() ? "-" : symbol};
+    std::vector<std::string> cells = {statistic.title, symbol.empty() ? "-" : symbol};
     if (both) {
       const bool has_both = statistic.as_left.has_value();
       cells.insert(cells.end(), {length_cell(value_of(statistic.as_found)),
@@ -111,8 +108,8 @@ std::string deciding_text(const Verification& verification) {
   for (const VerifiedStatistic& statistic : verification.statistics) {
     const ResultPart* part = deciding_part(statistic.judged());
     if (part == nullptr) continue;
-    text += fmt::format("  {}: {}", title_of(statistic), part->name);
-    if (!part->where.empty()) text += fmt::format(" ({})", part->where);
+    text += fmt::format("  {}: {}", statistic.title, part->name);
+    if (!part->where.empty()) text += fmt::format(" (from {})", part->where);
     if (!statistic.limit.empty()) text += fmt::format(", limit {}", statistic.limit);
     text += '\n';
   }
@@ -153,7 +150,7 @@ std::string budgets_text(const Verification& verification) {
   for (const VerifiedStatistic& statistic : verification.statistics) {
     for (const TestBudget& budget : statistic.budgets) {
       if (budget.uncertainty.contributions.empty()) continue;
-      std::vector<std::string> cells = {title_of(statistic), budget.of};
+      std::vector<std::string> cells = {statistic.title, budget.of};
       for (const UncertaintySource source : kSources) {
         cells.push_back(source_cell(budget.uncertainty, source));
       }

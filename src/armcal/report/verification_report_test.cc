@@ -39,7 +39,8 @@ Verification example() {
   verification.name = "arm 123";
   verification.standard = "ISO 10360-12:2016";
   verification.arm_file = "found.arm.toml";
-  verification.statistics = {{"length_uni", "40 um", length_error(0.080), {}, {budget}}};
+  verification.statistics = {
+      {"length_uni", "length error", "40 um", length_error(0.080), {}, {budget}}};
   return verification;
 }
 
@@ -47,7 +48,7 @@ TEST(VerificationReport, TextNamesValueLimitUncertaintyAndReading) {
   const std::string text = text_result(example());
   EXPECT_THAT(text, HasSubstr("Verification of arm 123 to ISO 10360-12:2016: fail"));
   EXPECT_THAT(text, HasSubstr("length error  E_Uni     0.0800  0.0400  0.0100     fail"));
-  EXPECT_THAT(text, HasSubstr("length error: 1000 mm at P1 (bar.csv:7), limit 40 um"));
+  EXPECT_THAT(text, HasSubstr("length error: 1000 mm at P1 (from bar.csv:7), limit 40 um"));
   EXPECT_THAT(text, HasSubstr("length error: measured minus calibrated length"));
   EXPECT_THAT(text, HasSubstr("3.00     -         4.00          -              -  5.00  10.00"));
   EXPECT_THAT(text, Not(HasSubstr("as left")));

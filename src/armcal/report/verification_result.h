@@ -21,6 +21,8 @@ struct TestBudget {
 /// One statistic of one test, from the same readings put through one arm or two.
 struct VerifiedStatistic {
   std::string test;   ///< name of the test in the file
+  std::string title;  ///< of the statistic: "probing size error", with the test's name where the
+                      ///< file gives it one of its own
   std::string limit;  ///< "20 um + L/50"; empty without one
   Judged as_found;
   std::optional<Judged> as_left;  ///< where a second arm was given

@@ -30,6 +30,11 @@ DecisionRule rule_of(const StatedDecision& decision) {
   return {*kind, decision.probability, decision.guard_factor};
 }
 
+std::string title_of(const StatedTest& test, const TestResult& result) {
+  const bool has_own_name = test.name != to_string(test.kind);
+  return has_own_name ? fmt::format("{}, {}", result.name, test.name) : result.name;
+}
+
 class VerificationJob {
  public:
   VerificationJob(InputFiles& files, const std::string& path, const VerificationWishes& wishes)
@@ -41,9 +46,7 @@ class VerificationJob {
     read_artefacts();
     files_.require_good();
     for (const StatedTest& test : file_.tests) {
-      if (is_of_iso(test.kind) == (wishes_.standard == VerificationStandard::iso10360_12)) {
-        run_test(test);
-      }
+      if (is_asked_for(test)) run_test(test);
     }
     files_.require_good();
     require_values();
@@ -51,6 +54,10 @@ class VerificationJob {
   }
 
  private:
+  [[nodiscard]] bool is_asked_for(const StatedTest& test) const {
+    return is_of_iso(test.kind) == (wishes_.standard == VerificationStandard::iso10360_12);
+  }
+
   void read_file() {
     const auto text = files_.text(path_, kLargestConfiguration_bytes);
     auto file = text ? read_verification_file(*text, files_.diagnostics()) : std::nullopt;
@@ -58,10 +65,8 @@ class VerificationJob {
     file_ = std::move(*file);
     if (wishes_.arm_file) file_.arm_file = *wishes_.arm_file;
     if (wishes_.as_left_file) file_.as_left_file = *wishes_.as_left_file;
-    const bool has_tests =
-        std::any_of(file_.tests.begin(), file_.tests.end(), [&](const StatedTest& test) {
-          return is_of_iso(test.kind) == (wishes_.standard == VerificationStandard::iso10360_12);
-        });
+    const bool has_tests = std::any_of(file_.tests.begin(), file_.tests.end(),
+                                       [&](const StatedTest& test) { return is_asked_for(test); });
     if (!has_tests) {
       files_.diagnostics().error(
           {path_, 0, 0}, fmt::format("has no test of {}", name_of(wishes_.standard)),
@@ -183,6 +188,7 @@ class VerificationJob {
     for (std::size_t i = 0; i < as_found.size(); ++i) {
       VerifiedStatistic statistic;
       statistic.test = test.stated.name;
+      statistic.title = title_of(test.stated, as_found[i]);
       statistic.budgets = budgets_of(test, i);
       const auto limit = limit_of(test.stated, i);
       if (limit) statistic.limit = limit->text();

@@ -13,8 +13,7 @@
 #include "armcal/io/arm_file.h"
 #include "armcal/testing/random_arms.h"
 #include "armcal/testing/second_kinematics.h"
-#include "armcal/testing/temporary_folder.h"
-#include "armcal/testing/verification_readings.h"
+#include "armcal/testing/verification_in_folder.h"
 
 namespace armcal {
 namespace {
@@ -22,72 +21,13 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
-using testing::TemporaryFolder;
+using testing::point_row;
+using testing::sphere_rows;
+using VerificationJobTest = testing::VerificationInFolder;
 
 constexpr double kExact_mm = 1e-9;
 constexpr double kDiameter_mm = 25.0;
 constexpr double kBall_mm = 6.0;
-
-constexpr const char* kHead = R"(schema = "armcal.verification/1"
-reach_mm = 1000
-[[artefact]]
-name = "ball"
-kind = "sphere"
-diameter_mm = 25
-U_um = 1.0
-[[artefact]]
-name = "bar"
-kind = "lengths"
-lengths = [[200, 1], [400, 1], [600, 1], [800, 1], [1000, 1]]
-)";
-
-std::string point_row(const std::string& fields, const Eigen::Vector3d& p) {
-  return fmt::format("{},{},{},{}\n", fields, p.x(), p.y(), p.z());
-}
-
-/// Points at a distance from a centre.
-std::string sphere_rows(const std::string& fields, const Eigen::Vector3d& center, double radius_mm,
-                        int count) {
-  std::string rows;
-  for (const Eigen::Vector3d& direction : testing::probing_directions(count)) {
-    rows += point_row(fields, center + radius_mm * direction);
-  }
-  return rows;
-}
-
-class VerificationJobTest : public ::testing::Test {
- protected:
-  Verification run(const std::string& tests, VerificationStandard standard,
-                   bool incomplete = false) {
-    const std::string path = folder_.write("arm.verification.toml", kHead + tests);
-    InputFiles files;
-    VerificationWishes wishes;
-    wishes.standard = standard;
-    wishes.incomplete = incomplete;
-    return run_verification(files, path, wishes);
-  }
-  Verification iso(const std::string& tests, bool incomplete = false) {
-    return run(tests, VerificationStandard::iso10360_12, incomplete);
-  }
-  Verification asme(const std::string& tests, bool incomplete = false) {
-    return run(tests, VerificationStandard::b89_4_22, incomplete);
-  }
-  std::string complaint(const std::string& tests, VerificationStandard standard,
-                        bool incomplete = false) {
-    try {
-      static_cast<void>(run(tests, standard, incomplete));
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    ADD_FAILURE() << "was accepted:\n" << tests;
-    return {};
-  }
-  std::string iso_complaint(const std::string& tests, bool incomplete = false) {
-    return complaint(tests, VerificationStandard::iso10360_12, incomplete);
-  }
-
-  TemporaryFolder folder_;
-};
 
 constexpr const char* kProbing = R"([[test]]
 kind = "probing"
@@ -202,70 +142,6 @@ TEST_F(VerificationJobTest, RefusesAnotherSphereAndOtherUnitsEvenIfIncompleteIsA
   EXPECT_THAT(iso_complaint(kProbing, true), HasSubstr("25.4"));
 }
 
-TEST_F(VerificationJobTest, RefusesASphereThatMoves) {
-  folder_.write("art.csv", "position,articulation,x_mm,y_mm,z_mm\n" +
-                               sphere_rows("A,1", {300, 0, 0}, 15.5, 5) +
-                               sphere_rows("B,2", {400, 0, 0}, 15.5, 5));
-  EXPECT_THAT(iso_complaint(R"([[test]]
-kind = "articulated_location"
-artefact = "ball"
-file = "art.csv"
-)"),
-              HasSubstr("art.csv:7: error: position B after position A: the sphere must stand "
-                        "still"));
-}
-
-// Distances of ends: single points, or the centres of spheres.
-TEST_F(VerificationJobTest, TakesLengthsFromTheirEnds) {
-  std::string rows = "placement,length_mm,end,x_mm,y_mm,z_mm\n";
-  rows += point_row("seats,600,A", {100, 200, 300}) + point_row("seats,600,B", {700.02, 200, 300});
-  rows += sphere_rows("balls,800,A", {50, -400, 80}, 15.5, 6);
-  rows += sphere_rows("balls,800,B", {50, 399.99, 80}, 15.5, 6);
-  folder_.write("ends.csv", rows);
-  const Verification verification = asme(R"([[test]]
-kind = "volumetric_length"
-artefact = "bar"
-file = "ends.csv"
-)",
-                                         true);
-  const auto& parts = verification.statistics.front().judged().result.parts;
-  ASSERT_EQ(parts.size(), 2U);
-  EXPECT_NEAR(parts[0].value_mm, 0.02, kExact_mm);
-  EXPECT_NEAR(parts[1].value_mm, -0.01, kExact_mm);
-  EXPECT_THAT(parts[1].where, HasSubstr("ends.csv:4"));
-}
-
-// Opposite faces are touched by opposite sides of the probe.
-TEST_F(VerificationJobTest, TakesTheProbeOffBidirectionalLengths) {
-  const std::string test = R"([[test]]
-kind = "length_bi"
-artefact = "bar"
-file = "ends.csv"
-probe_diameter_mm = 6
-)";
-  folder_.write("ends.csv", "length_mm,end,x_mm,y_mm,z_mm\n" + point_row("600,A", {100, 0, 1}) +
-                                point_row("600,B", {706.03, 0, 1}));
-  const Verification verification = iso(test, true);
-  EXPECT_NEAR(verification.statistics.front().judged().result.value_mm.value(), 0.03, kExact_mm);
-  folder_.write("ends.csv", "length_mm,end,x_mm,y_mm,z_mm\n" +
-                                sphere_rows("600,A", {100, 0, 1}, 15.5, 5) +
-                                point_row("600,B", {706.03, 0, 1}));
-  EXPECT_THAT(iso_complaint(test, true),
-              HasSubstr("a bidirectional length has one point at each end"));
-}
-
-TEST_F(VerificationJobTest, RefusesEndsThatAreNone) {
-  const std::string head = "position,length_mm,repeat,end,x_mm,y_mm,z_mm\n";
-  folder_.write("lengths.csv", head + point_row("P1,600,2,A", {100, 0, 1}));
-  EXPECT_THAT(iso_complaint(kLengths, true),
-              HasSubstr("lengths.csv:2: error: end B of 600.0000 mm at position P1, repeat 2: is "
-                        "missing"));
-  folder_.write("lengths.csv", head + point_row("P1,600,2,A", {100, 0, 1}) +
-                                   point_row("P1,600,2,A", {100, 0, 1.01}) +
-                                   point_row("P1,600,2,B", {700, 0, 1}));
-  EXPECT_THAT(iso_complaint(kLengths, true), HasSubstr("has 2 points"));
-}
-
 TEST_F(VerificationJobTest, ReportsSeatsByZoneAndHalfRangesUnderTheirOwnName) {
   std::string rows = "position,x_mm,y_mm,z_mm\n";
   for (const double distance : {100.0, 500.0, 900.0}) {
@@ -331,9 +207,9 @@ TEST_F(VerificationJobTest, JudgesByEveryRule) {
   folder_.write("lengths.csv", measured_rows(7, 1.00001));
   for (const char* rule :
        {"iso14253-1", "conformance-probability", "simple-acceptance", "guard-band"}) {
-    const std::string path =
-        folder_.write("rule.verification.toml",
-                      fmt::format("{}{}[decision]\nrule = \"{}\"\n", kHead, kLengths, rule));
+    const std::string path = folder_.write(
+        "rule.verification.toml",
+        fmt::format("{}{}[decision]\nrule = \"{}\"\n", testing::kVerificationHead, kLengths, rule));
     InputFiles files;
     EXPECT_EQ(to_string(run_verification(files, path, {}).rule.kind), rule);
   }
@@ -429,8 +305,9 @@ TEST_F(VerificationJobTest, HasNoValueOfTooFewPoints) {
 
 TEST_F(VerificationJobTest, ReadsASharedTableOnce) {
   folder_.write("lengths.csv", measured_rows(7, 1.0));
-  const std::string path = folder_.write(
-      "two.verification.toml", std::string(kHead) + kLengths + kLengths + "name = \"again\"\n");
+  const std::string path =
+      folder_.write("two.verification.toml", std::string(testing::kVerificationHead) + kLengths +
+                                                 kLengths + "name = \"again\"\n");
   InputFiles files;
   const Verification verification = run_verification(files, path, {});
   EXPECT_EQ(verification.statistics.size(), 2U);
