@@ -16,6 +16,7 @@ std::vector<Command> all_commands() {
           probe_command(),
           plan_command(),
           verify_command(),
+          check_command(),
           compare_command(),
           simulate_command(),
           convert_command(),

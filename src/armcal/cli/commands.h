@@ -10,6 +10,7 @@ namespace armcal::cli {
 
 // One file per verb. A new verb is a new file here, a line below, and a line in commands.cc.
 [[nodiscard]] Command calibrate_command();
+[[nodiscard]] Command check_command();
 [[nodiscard]] Command compare_command();
 [[nodiscard]] Command convert_command();
 [[nodiscard]] Command demo_command();

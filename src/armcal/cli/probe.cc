@@ -1,14 +1,13 @@
 // SPDX-FileCopyrightText: the armcal authors
 // SPDX-License-Identifier: Apache-2.0
-#include <fmt/format.h>
-
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "armcal/cli/commands.h"
 #include "armcal/cli/table_flags.h"
+#include "armcal/core/units.h"
 #include "armcal/io/arm_file.h"
-#include "armcal/report/calibration_report.h"
+#include "armcal/report/probe_report.h"
 #include "armcal/workflow/probe_job.h"
 
 namespace armcal::cli {
@@ -16,7 +15,7 @@ namespace {
 
 struct Flags {
   ProbeRequest request;
-  std::optional<double> u_mm, tip_diameter_mm;
+  std::optional<double> u_mm, u_encoder_arcsec, tip_diameter_mm, limit_mm;
   std::optional<std::string> output;
   TableFlags table;
 };
@@ -25,14 +24,16 @@ int run_probe_command(const Flags& flags, const Context& context) {
   if (flags.output) check_may_write(*flags.output, context.overwrite);
   ProbeRequest request = flags.request;
   request.u_mm = flags.u_mm.value_or(request.u_mm);
+  request.u_encoder_rad = radians_from_arcseconds(flags.u_encoder_arcsec.value_or(0.0));
   request.tip_diameter_mm = flags.tip_diameter_mm.value_or(0.0);
   InputFiles files(context.monitor);
-  const Calibration calibration = run_probe(files, request, flags.table.options());
-  Json json = json_result(calibration);
-  json["arm"] = arm_text(calibration.arm);
-  if (flags.output) context.save(*flags.output, arm_text(calibration.arm), files.records());
-  context.emit(files.records(), files.diagnostics(), json, text_result(calibration));
-  return kDone;
+  const StylusQualification stylus = run_probe(files, request, flags.table.options());
+  Json json = json_result(stylus, flags.limit_mm);
+  const std::string arm = arm_text(stylus.calibration.arm);
+  json["arm"] = arm;
+  if (flags.output) context.save(*flags.output, arm, files.records());
+  context.emit(files.records(), files.diagnostics(), json, text_result(stylus, flags.limit_mm));
+  return verdict_of(stylus, flags.limit_mm) == Verdict::fail ? kDoesNotConform : kDone;
 }
 
 }  // namespace
@@ -45,15 +46,21 @@ Command probe_command() {
   command.description =
       "Reads joint angles with the new stylus in one cone or seat (or, with --sphere-diameter, on "
       "a sphere) in many\n"
-      "postures, and finds the tip; everything else of the arm stays.";
+      "postures, and finds the tip; everything else of the arm stays. Exit code 1 where its "
+      "uncertainty exceeds --limit.";
   command.arguments = joined(
       {{"ARM", "arm file (*.arm.toml)", &flags->request.arm},
        {"READINGS.csv", "table of joint angles; - for standard input", &flags->request.readings},
        {"--sphere-diameter", "the points lie on a sphere of this certified diameter, mm",
-        &flags->request.sphere_diameter_mm, "MM"},
+        &flags->request.sphere_diameter_mm, "MM", NumberRange::positive},
        {"--tip-diameter", "diameter of the stylus ball, mm, with --sphere-diameter",
-        &flags->tip_diameter_mm, "MM"},
-       {"--u", "standard uncertainty of a tip, mm; 0.02 if not given", &flags->u_mm, "MM"},
+        &flags->tip_diameter_mm, "MM", NumberRange::not_negative},
+       {"--u", "standard uncertainty of a tip in the seat, mm; 0.02 if not given", &flags->u_mm,
+        "MM", NumberRange::positive},
+       {"--u-encoder-arcsec", "standard uncertainty of each encoder, arcsec, beside --u",
+        &flags->u_encoder_arcsec, "ARCSEC", NumberRange::not_negative},
+       {"--limit", "largest allowed expanded uncertainty of the tip (k = 2), mm", &flags->limit_mm,
+        "MM", NumberRange::positive},
        {"-o,--output", "write the arm with its new tip here", &flags->output, "ARM"}},
       flags->table.for_angles());
   command.examples = {
