@@ -136,10 +136,10 @@ class VerificationJob {
         artefact,
         {file_.environment.temperature_C, file_.environment.u_temperature_K},
         result_.reach_mm};
-    const auto as_found = measured(prepared, *rows, as_found_);
+    const auto as_found = measured(prepared, *rows, as_found_, as_left_ ? "as found, " : "");
     std::vector<TestResult> as_left;
     if (as_left_ && rows->has_angles()) {
-      as_left = measured(prepared, *rows, as_left_);
+      as_left = measured(prepared, *rows, as_left_, "as left, ");
     } else if (as_left_) {
       files_.diagnostics().warning(
           {rows->file, 0, 0},
@@ -149,23 +149,24 @@ class VerificationJob {
     judge_results(prepared, as_found, as_left);
   }
 
+  // @param whose  begins what is said of readings that cannot be those of the artefact
   std::vector<TestResult> measured(const PreparedTest& test, const VerificationRows& rows,
-                                   const std::optional<ArmModel>& arm) {
+                                   const std::optional<ArmModel>& arm, const char* whose) {
     const std::size_t errors_before = files_.diagnostics().error_count();
     const auto tips = rows.has_angles() ? tips_in_base(*arm, rows.encoder_rad) : rows.points_mm;
     const Eigen::Vector3d first_axis_mm =
         arm ? b89_4_22::reach_of(*arm).first_axis_origin_mm : file_.origin_mm;
     auto results = statistics_of(test, {rows, tips}, first_axis_mm, files_.diagnostics());
     if (files_.diagnostics().error_count() > errors_before) return {};
-    complain(test.stated, results);
+    complain(test.stated, results, whose);
     return results;
   }
 
   // Statistics of one test share their readings, and so their faults: each is told once.
-  void complain(const StatedTest& test, const std::vector<TestResult>& results) {
+  void complain(const StatedTest& test, const std::vector<TestResult>& results, const char* whose) {
     for (const TestResult& result : results) {
       for (const std::string& problem : result.problems) {
-        tell(test, problem,
+        tell(test, whose + problem,
              "is it the table of this test, in mm, and the right artefact and probe?");
       }
       if (wishes_.incomplete) continue;
