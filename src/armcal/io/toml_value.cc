@@ -29,6 +29,7 @@ static constexpr void toml_expects(bool condition) {
 
 #include "armcal/core/invariant.h"
 #include "armcal/core/spelling.h"
+#include "armcal/io/number_text.h"
 
 namespace armcal {
 namespace {
@@ -227,6 +228,18 @@ std::optional<std::string> TomlSection::text(std::string_view key) {
     return std::nullopt;
   }
   return *result;
+}
+
+std::optional<std::string> TomlSection::number_or_text(std::string_view key) {
+  const TomlValue* value = find(key);
+  if (value == nullptr) return std::nullopt;
+  if (const auto* text = std::get_if<std::string>(&value->value)) return *text;
+  const auto number = as_number(*value);
+  if (!number) {
+    wrong_type(*value, key, "a number or a text");
+    return std::nullopt;
+  }
+  return shortest_text(*number);
 }
 
 std::optional<Eigen::VectorXd> TomlSection::numbers(std::string_view key) {

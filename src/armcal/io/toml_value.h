@@ -43,6 +43,8 @@ class TomlSection {
   std::optional<int> integer(std::string_view key);
   std::optional<bool> boolean(std::string_view key);
   std::optional<std::string> text(std::string_view key);
+  /// A text, or a number as the text that spells it: for formulas.
+  std::optional<std::string> number_or_text(std::string_view key);
   std::optional<Eigen::VectorXd> numbers(std::string_view key);
   std::optional<std::vector<std::string>> texts(std::string_view key);
   /// Rows of pairs, as [[1.0, 2.0], [3.0, 4.0]].
