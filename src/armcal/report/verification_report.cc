@@ -22,6 +22,11 @@ constexpr std::array kSources = {UncertaintySource::certificate, UncertaintySour
                                  UncertaintySource::temperature, UncertaintySource::expansion,
                                  UncertaintySource::repeatability};
 
+// A seat is no artefact: where nothing is known to be uncertain, nothing is claimed to be exact.
+std::string uncertainty_cell(const std::optional<double>& U_mm) {
+  return U_mm && *U_mm > 0.0 ? fixed(*U_mm, 4) : "-";
+}
+
 std::string length_cell(const std::optional<double>& mm) { return mm ? fixed(*mm, 4) : "-"; }
 
 std::string verdict_cell(Verdict verdict) {
@@ -65,7 +70,7 @@ std::string table_of_tests(const Verification& verification) {
     } else {
       cells.push_back(length_cell(value_of(judged)));
     }
-    cells.insert(cells.end(), {length_cell(judged.mpe_mm), length_cell(judged.U_mm),
+    cells.insert(cells.end(), {length_cell(judged.mpe_mm), uncertainty_cell(judged.U_mm),
                                verdict_cell(judged.verdict)});
     table.add_row(std::move(cells));
   }
