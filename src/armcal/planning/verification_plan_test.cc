@@ -222,7 +222,7 @@ TEST(VerificationPlan, ABenchThatHidesTheFarZoneIsTold) {
   wishes.room.surroundings.bench_mm = 0.7 * reach_mm(testing::consistent_romer());
   EXPECT_THAT(refusal(testing::consistent_romer(), wishes),
               AllOf(HasSubstr("no place for the far seat, 1"),
-                    HasSubstr("of 300 places tried, 300 were below the bench")));
+                    HasSubstr("of 3000 places tried, 3000 were below the bench")));
 }
 
 TEST(VerificationPlan, RefusesSizesThatAreNone) {

@@ -14,7 +14,9 @@
 namespace armcal {
 namespace {
 
-constexpr int kPlaces = 300;
+constexpr int kPlaces = 3000;
+// Of these, so many are looked at with the arm's joints, which takes a thousand times as long.
+constexpr int kPlacesLookedAt = 150;
 constexpr int kBarPlaces = 1000;
 // Half the width of a bar, and what clamps and stems need.
 constexpr double kClearance_mm = 30.0;
@@ -94,12 +96,14 @@ std::vector<PlannedSphere> sphere_places(const TouchSearch& search, const Shell&
                                          TriedPlaces& tried) {
   std::vector<PlannedSphere> places;
   ProbedSphere sphere = size;
-  for (int i = 0; i < kPlaces && places.size() < most; ++i) {
+  int looked_at = 0;
+  for (int i = 0; i < kPlaces && looked_at < kPlacesLookedAt && places.size() < most; ++i) {
     sphere.centre_mm = random_point(search, shell, random);
     if (const auto fault = search.fault_at(sphere.centre_mm, sphere.radius_mm + kClearance_mm)) {
       tried.reject(*fault);
       continue;
     }
+    ++looked_at;
     const auto poles = poles_at(search, sphere.centre_mm);
     const auto pole = std::find_if(poles.begin(), poles.end(), [&](const Eigen::Vector3d& each) {
       return reaches_all(search, sphere, pattern(each), random);
@@ -117,12 +121,14 @@ std::vector<PlannedSphere> sphere_places(const TouchSearch& search, const Shell&
 std::optional<SeatPlace> seat_place(const TouchSearch& search, const Shell& shell,
                                     std::size_t postures, RandomStream& random,
                                     TriedPlaces& tried) {
-  for (int i = 0; i < kPlaces; ++i) {
+  int looked_at = 0;
+  for (int i = 0; i < kPlaces && looked_at < kPlacesLookedAt; ++i) {
     const Eigen::Vector3d at = random_point(search, shell, random);
     if (const auto fault = search.fault_at(at, kClearance_mm)) {
       tried.reject(*fault);
       continue;
     }
+    ++looked_at;
     for (const Eigen::Vector3d& axis : poles_at(search, at)) {
       if (!search.reaches({at, axis}, random)) continue;
       auto found = search.postures({at, axis}, kPosturesPerKept * postures,

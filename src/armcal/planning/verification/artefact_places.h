@@ -22,9 +22,9 @@ struct Shell {
 using SpherePattern = std::function<std::vector<Eigen::Vector3d>(const Eigen::Vector3d& pole)>;
 
 // Places drawn at random in the order of the stream, up to `most` that will do; empty where none of
-// some hundred does, and then `tried` tells why. Spheres and seats stand at most 45 deg above or
-// below the level of the first joint. Their poles and axes lead up, slanting back to the first axis
-// or level to it, whichever works first.
+// some hundred or thousand does, and then `tried` tells why. Spheres and seats stand at most 45 deg
+// above or below the level of the first joint. Their poles and axes lead up, slanting back to the
+// first axis or level to it, whichever works first.
 
 /// Spheres of which the tip reaches the whole pattern. @param size  its centre is not read
 [[nodiscard]] std::vector<PlannedSphere> sphere_places(const TouchSearch& search,

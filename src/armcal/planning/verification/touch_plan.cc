@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t kCandidates = 4;
 constexpr int kStarts = 60;
-// A place was chosen because one of 25 starts led there.
+// A place was chosen because two of 40 starts led there.
 constexpr int kLastStarts = 1000;
 
 }  // namespace

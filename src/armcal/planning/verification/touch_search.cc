@@ -15,8 +15,9 @@ namespace armcal {
 namespace {
 
 // A point within reach is found from one start in three or so, with stops and a bench from one in
-// ten.
-constexpr int kStartsForReach = 25;
+// ten. What is found once only may never be found again.
+constexpr int kStartsForReach = 40;
+constexpr std::size_t kEnoughForReach = 2;
 // Part of the reach about the first axis that the arm's own base and shoulder fill, whether or not
 // a column is stated.
 constexpr double kKeepOutShare = 0.05;
@@ -97,7 +98,7 @@ std::vector<Eigen::VectorXd> TouchSearch::postures(const Touch& touch, std::size
 }
 
 bool TouchSearch::reaches(const Touch& touch, RandomStream& random) const {
-  return !postures(touch, 1, kStartsForReach, random).empty();
+  return postures(touch, kEnoughForReach, kStartsForReach, random).size() == kEnoughForReach;
 }
 
 Eigen::VectorXd TouchSearch::random_posture(RandomStream& random) const {

@@ -49,6 +49,7 @@ class TouchSearch {
   /// Up to `count` postures for a touch, from so many starts at most.
   [[nodiscard]] std::vector<Eigen::VectorXd> postures(const Touch& touch, std::size_t count,
                                                       int most_starts, RandomStream& random) const;
+  /// Is a touch reached in more ways than one, as far as some dozen starts tell?
   [[nodiscard]] bool reaches(const Touch& touch, RandomStream& random) const;
   [[nodiscard]] Eigen::VectorXd random_posture(RandomStream& random) const;
 
