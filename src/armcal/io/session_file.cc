@@ -15,16 +15,6 @@
 namespace armcal {
 namespace {
 
-std::optional<AngleUnit> angle_unit_of(TomlSection& section, Diagnostics& diagnostics) {
-  const auto text = section.text("angles");
-  if (!text) return std::nullopt;
-  if (*text == "deg") return AngleUnit::deg;
-  if (*text == "rad") return AngleUnit::rad;
-  diagnostics.error(section.where("angles"),
-                    fmt::format("angles is \"{}\": must be deg or rad", *text));
-  return std::nullopt;
-}
-
 void check_positive(TomlSection& section, const char* key, const std::optional<double>& value,
                     Diagnostics& diagnostics) {
   if (value && !(*value > 0.0)) {
@@ -188,6 +178,16 @@ void name_groups(std::vector<SessionGroup>& groups) {
 }
 
 }  // namespace
+
+std::optional<AngleUnit> angle_unit_of(TomlSection& section, Diagnostics& diagnostics) {
+  const auto text = section.text("angles");
+  if (!text) return std::nullopt;
+  if (*text == "deg") return AngleUnit::deg;
+  if (*text == "rad") return AngleUnit::rad;
+  diagnostics.error(section.where("angles"),
+                    fmt::format("angles is \"{}\": must be deg or rad", *text));
+  return std::nullopt;
+}
 
 const char* place_key(ReferenceKind kind) {
   switch (kind) {

@@ -64,6 +64,10 @@ struct Session {
 [[nodiscard]] std::optional<Session> read_session_file(const TextFile& file,
                                                        Diagnostics& diagnostics);
 
+/// The key `angles`: unit of angle columns that name none.
+[[nodiscard]] std::optional<AngleUnit> angle_unit_of(TomlSection& section,
+                                                     Diagnostics& diagnostics);
+
 /// Reads a table [estimate], to its end.
 [[nodiscard]] SessionEstimate read_session_estimate(TomlSection& section, Diagnostics& diagnostics);
 

@@ -9,6 +9,7 @@
 
 #include "armcal/arm/joint_chain.h"
 #include "armcal/io/number_text.h"
+#include "armcal/io/xml_text.h"
 
 namespace armcal {
 namespace {
@@ -22,27 +23,6 @@ std::string radians_text(double rad) {
 
 std::string metres_text(double mm) {
   return mm == 0.0 ? "0.0" : shortest_text(with_point_moved(mm, -3));  // 0 of either sign
-}
-
-/// Text of an attribute. Characters that XML cannot hold become blanks.
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        result += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
-    }
-  }
-  return result;
 }
 
 /// Text of a comment, in which two hyphens may not stand side by side.
@@ -75,7 +55,7 @@ UrdfText urdf_text(const ArmModel& arm) {
   UrdfText result{"<?xml version=\"1.0\"?>\n", conversion.lost};
   std::string& text = result.text;
   if (!arm.note.empty()) text += fmt::format("<!-- {} -->\n", xml_comment(arm.note));
-  text += fmt::format("<robot name=\"{}\">\n", escaped(arm.name.empty() ? "arm" : arm.name));
+  text += fmt::format("<robot name=\"{}\">\n", xml_escaped(arm.name.empty() ? "arm" : arm.name));
   const std::size_t n = chain.joints.size();
   for (std::size_t i = 0; i <= n; ++i) text += fmt::format("  <link name=\"link_{}\"/>\n", i);
   text += "  <link name=\"tip\"/>\n";

@@ -10,6 +10,7 @@
 
 #include "armcal/core/spelling.h"
 #include "armcal/io/checked_number.h"
+#include "armcal/io/session_file.h"
 #include "armcal/io/toml_value.h"
 
 namespace armcal {
@@ -40,16 +41,6 @@ const std::vector<std::string> kRules = {"iso14253-1", "conformance-probability"
                                          "simple-acceptance", "guard-band"};
 
 const KindEntry& entry_of(StatedTestKind kind) { return kKinds[static_cast<std::size_t>(kind)]; }
-
-std::optional<AngleUnit> angle_unit_of(TomlSection& section, Diagnostics& diagnostics) {
-  const auto text = section.text("angles");
-  if (!text) return std::nullopt;
-  if (*text == "deg") return AngleUnit::deg;
-  if (*text == "rad") return AngleUnit::rad;
-  diagnostics.error(section.where("angles"),
-                    fmt::format("angles is \"{}\": must be deg or rad", *text));
-  return std::nullopt;
-}
 
 StatedDecision read_decision(TomlSection section, Diagnostics& diagnostics) {
   StatedDecision decision;

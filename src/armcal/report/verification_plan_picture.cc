@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "armcal/io/xml_text.h"
 #include "armcal/report/label_places.h"
 
 namespace armcal {
@@ -43,33 +44,9 @@ constexpr const char* kStyle = R"(<style>
 </style>
 )";
 
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      // No control character is allowed in XML.
-      default:
-        result += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
-    }
-  }
-  return result;
-}
-
 std::string text_at(double x, double y, const char* style, const std::string& text) {
   return fmt::format("<text class=\"{}\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", style, x, y,
-                     escaped(text));
+                     xml_escaped(text));
 }
 
 std::string line(const char* style, const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
