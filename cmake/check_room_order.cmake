@@ -1,4 +1,5 @@
-# Fails when a file of one room includes a header of a room that is not above it in ROOMS.
+# Fails when a file of one room includes a header of a room that is not above it in ROOMS, and when two headers define
+# a type of the same name: to the linker they would be one.
 #
 #   cmake -D SOURCE_DIR=src/armcal -P cmake/check_room_order.cmake
 
@@ -27,6 +28,18 @@ foreach(file IN LISTS files)
     list(APPEND problems "src/armcal/${file}: error: room '${room}' is not listed in src/armcal/ROOMS")
     continue()
   endif()
+  if(file MATCHES "\\.h$")
+    file(STRINGS ${SOURCE_DIR}/${file} namespace REGEX "^namespace " LIMIT_COUNT 1)
+    file(STRINGS ${SOURCE_DIR}/${file} types REGEX "^(class|struct|enum class) [A-Za-z0-9_]+[^;{]*{")
+    foreach(type IN LISTS types)
+      string(REGEX REPLACE "^(class|struct|enum class) ([A-Za-z0-9_]+).*" "\\2" name "${type}")
+      string(MAKE_C_IDENTIFIER "file_of_${namespace}_${name}" file_of_type)
+      if(DEFINED ${file_of_type})
+        list(APPEND problems "src/armcal/${file}: error: type '${name}' stands in src/armcal/${${file_of_type}} already")
+      endif()
+      set(${file_of_type} ${file})
+    endforeach()
+  endif()
   file(STRINGS ${SOURCE_DIR}/${file} includes REGEX "^[ \t]*#[ \t]*include[ \t]*[<\"]armcal/")
   foreach(include IN LISTS includes)
     string(REGEX REPLACE ".*[<\"]armcal/([^/\">]+).*" "\\1" target "${include}")
@@ -44,5 +57,5 @@ endforeach()
 
 if(problems)
   list(JOIN problems "\n" text)
-  message(FATAL_ERROR "wrong order of dependency:\n${text}")
+  message(FATAL_ERROR "the house is not in order:\n${text}")
 endif()

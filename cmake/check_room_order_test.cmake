@@ -32,6 +32,12 @@ file(WRITE ${WORK_DIR}/io/bad.h "")
 file(WRITE ${WORK_DIR}/core/units_test.cc "#include \"armcal/verification/x.h\"\n")
 expect("tests may include anything" passes "")
 
+file(WRITE ${WORK_DIR}/core/place.h "namespace armcal {\nstruct Place {\n};\nclass Far;\n}\n")
+file(WRITE ${WORK_DIR}/arm/place.h "namespace armcal {\nclass Place final {\n};\nstruct Far {\n};\n}\n")
+expect("two types of one name" fails "type 'Place' stands in src/armcal/")
+file(WRITE ${WORK_DIR}/arm/place.h "namespace armcal::arms {\nclass Place final {\n};\n}\n")
+expect("the same name in another namespace" passes "")
+
 file(WRITE ${WORK_DIR}/attic/x.cc "")
 expect("a room that nobody listed" fails "room 'attic' is not listed")
 file(REMOVE_RECURSE ${WORK_DIR})

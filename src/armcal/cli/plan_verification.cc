@@ -36,8 +36,8 @@ std::array<double, 2> bars_of(const VerificationFlags& flags) {
   return {bars[0], bars[1]};
 }
 
-VerificationWishes wishes_of(const VerificationFlags& flags) {
-  VerificationWishes wishes;
+VerificationPlanWishes wishes_of(const VerificationFlags& flags) {
+  VerificationPlanWishes wishes;
   wishes.iso10360_12 = flags.standard.value_or("both") != "b89.4.22";
   wishes.b89_4_22 = flags.standard.value_or("both") != "iso10360-12";
   wishes.room = {flags.room.surroundings(), flags.room.measuring_volume()};

@@ -32,7 +32,7 @@ void require_positive(const char* what, double value) {
   throw std::invalid_argument(fmt::format("{} of {} mm: must be larger than 0", what, value));
 }
 
-void check(const VerificationWishes& wishes) {
+void check(const VerificationPlanWishes& wishes) {
   require_positive("a sphere with a diameter", wishes.sphere_diameter_mm);
   require_positive("a tip with a diameter", wishes.tip_diameter_mm);
   for (const double length : wishes.lengths_mm) require_positive("a length", length);
@@ -43,7 +43,7 @@ void check(const VerificationWishes& wishes) {
   }
 }
 
-VerificationWishes with_defaults(VerificationWishes wishes, double reach_mm) {
+VerificationPlanWishes with_defaults(VerificationPlanWishes wishes, double reach_mm) {
   if (wishes.lengths_mm.empty()) wishes.lengths_mm = usual_lengths(reach_mm);
   const auto usual = usual_bars(reach_mm);
   for (std::size_t i = 0; i < usual.size(); ++i) {
@@ -52,7 +52,7 @@ VerificationWishes with_defaults(VerificationWishes wishes, double reach_mm) {
   return wishes;
 }
 
-std::vector<Planner> planners(const VerificationWishes& wishes) {
+std::vector<Planner> planners(const VerificationPlanWishes& wishes) {
   std::vector<Planner> list;
   if (wishes.iso10360_12) list = {plan_probing, plan_articulated_location, plan_length_uni};
   if (wishes.b89_4_22) {
@@ -72,7 +72,7 @@ Eigen::VectorXd coverage_of(const ArmModel& arm, const std::vector<PlannedTest>&
 
 }  // namespace
 
-VerificationPlan plan_verification(const ArmModel& arm, const VerificationWishes& wishes,
+VerificationPlan plan_verification(const ArmModel& arm, const VerificationPlanWishes& wishes,
                                    const Monitor& monitor) {
   VerificationPlan plan;
   plan.arm = arm;

@@ -16,7 +16,7 @@
 namespace armcal {
 
 /// What is to be verified, and with what.
-struct VerificationWishes {
+struct VerificationPlanWishes {
   bool iso10360_12 = true;
   bool b89_4_22 = true;
   VerificationRoom room;
@@ -79,8 +79,8 @@ struct PlannedTest {
 /// Where to put spheres, seats and bars, and how the arm stands at every point.
 struct VerificationPlan {
   ArmModel arm;
-  VerificationWishes wishes;  ///< with the defaults filled in
-  double reach_mm = 0.0;      ///< of which zones and lengths are shares
+  VerificationPlanWishes wishes;  ///< with the defaults filled in
+  double reach_mm = 0.0;          ///< of which zones and lengths are shares
   std::vector<PlannedTest> tests;
   Eigen::VectorXd joint_coverage;  ///< of all tests together
 };
@@ -96,7 +96,7 @@ struct VerificationPlan {
 /// @throws ImpossiblePlan naming every artefact that finds no place, with the reason;
 /// std::invalid_argument for diameters and lengths that are none
 [[nodiscard]] VerificationPlan plan_verification(const ArmModel& arm,
-                                                 const VerificationWishes& wishes,
+                                                 const VerificationPlanWishes& wishes,
                                                  const Monitor& monitor = {});
 
 }  // namespace armcal

@@ -20,20 +20,20 @@ namespace {
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-VerificationWishes on_a_bench() {
-  VerificationWishes wishes;
+VerificationPlanWishes on_a_bench() {
+  VerificationPlanWishes wishes;
   wishes.room.surroundings = {.column_radius_mm = 60.0, .column_top_mm = 0.0, .bench_mm = -200.0};
   return wishes;
 }
 
-VerificationWishes of_iso_alone() {
-  VerificationWishes wishes = on_a_bench();
+VerificationPlanWishes of_iso_alone() {
+  VerificationPlanWishes wishes = on_a_bench();
   wishes.b89_4_22 = false;
   return wishes;
 }
 
-VerificationWishes of_b89_alone() {
-  VerificationWishes wishes = on_a_bench();
+VerificationPlanWishes of_b89_alone() {
+  VerificationPlanWishes wishes = on_a_bench();
   wishes.iso10360_12 = false;
   return wishes;
 }
@@ -72,7 +72,7 @@ void expect_sound(const VerificationPlan& plan) {
   }
 }
 
-std::string refusal(const ArmModel& arm, const VerificationWishes& wishes) {
+std::string refusal(const ArmModel& arm, const VerificationPlanWishes& wishes) {
   try {
     const VerificationPlan plan = plan_verification(arm, wishes);
     return "none";
@@ -179,7 +179,7 @@ TEST(VerificationPlan, KeepsToStopsAndVolumeWhereverTheArmStands) {
     joint.max_rad = 2.6;
   }
   arm.base_from_first_joint = testing::random_transform(random, 1000.0);
-  VerificationWishes wishes = of_b89_alone();
+  VerificationPlanWishes wishes = of_b89_alone();
   const Eigen::Vector3d foot = arm.base_from_first_joint.translation_mm;
   wishes.room.volume = MeasuringVolume{foot.array() - 1250.0, foot.array() + 1250.0};
   const VerificationPlan plan = plan_verification(arm, wishes);
@@ -192,7 +192,7 @@ TEST(VerificationPlan, KeepsToStopsAndVolumeWhereverTheArmStands) {
 }
 
 TEST(VerificationPlan, OfATestDoesNotDependOnTheOthersButOnTheSeed) {
-  VerificationWishes alone = of_b89_alone();
+  VerificationPlanWishes alone = of_b89_alone();
   const auto& both = plan_for_six_joints();
   const auto same = plan_verification(testing::consistent_romer(), alone);
   alone.seed = 2;
@@ -206,7 +206,7 @@ TEST(VerificationPlan, OfATestDoesNotDependOnTheOthersButOnTheSeed) {
 TEST(VerificationPlan, AnArmTooSmallForItsLengthsIsTold) {
   ArmModel small = testing::consistent_romer();
   for (Link& link : small.links) link.b_mm *= 0.2;
-  VerificationWishes wishes = of_iso_alone();
+  VerificationPlanWishes wishes = of_iso_alone();
   wishes.lengths_mm = {100.0, 300.0, 500.0, 800.0, 1000.0};
   const std::string told = refusal(small, wishes);
   EXPECT_THAT(told, HasSubstr("length_uni: no place for a bar of 1000 mm along x: of 1000 places "
@@ -218,7 +218,7 @@ TEST(VerificationPlan, AnArmTooSmallForItsLengthsIsTold) {
 // Seats stand 45 deg above the level at most, so the far zone ends at 0.97 sin 45 deg = 0.69 of the
 // reach above it.
 TEST(VerificationPlan, ABenchThatHidesTheFarZoneIsTold) {
-  VerificationWishes wishes = of_b89_alone();
+  VerificationPlanWishes wishes = of_b89_alone();
   wishes.room.surroundings.bench_mm = 0.7 * reach_mm(testing::consistent_romer());
   EXPECT_THAT(refusal(testing::consistent_romer(), wishes),
               AllOf(HasSubstr("no place for the far seat, 1"),
@@ -227,7 +227,7 @@ TEST(VerificationPlan, ABenchThatHidesTheFarZoneIsTold) {
 
 TEST(VerificationPlan, RefusesSizesThatAreNone) {
   const ArmModel arm = testing::consistent_romer();
-  VerificationWishes wishes;
+  VerificationPlanWishes wishes;
   wishes.sphere_diameter_mm = -1.0;
   EXPECT_THROW((void)plan_verification(arm, wishes), std::invalid_argument);
   wishes = {};

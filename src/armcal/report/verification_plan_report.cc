@@ -141,7 +141,7 @@ Json json_result(const VerificationPlan& plan) {
 }
 
 std::string text_result(const VerificationPlan& plan) {
-  const VerificationWishes& wishes = plan.wishes;
+  const VerificationPlanWishes& wishes = plan.wishes;
   std::string text = fmt::format("Verification of {} ({} joints, reach {:.0f} mm)\n",
                                  plan.arm.name.empty() ? "an arm" : plan.arm.name,
                                  plan.arm.joint_count(), plan.reach_mm);

@@ -41,7 +41,8 @@ std::string place(const VerificationRows& rows, std::size_t row) {
   return fmt::format("{}:{}", rows.file, rows.lines[row]);
 }
 
-std::vector<Eigen::Vector3d> points(const TipRows& tips, const std::vector<std::size_t>& rows) {
+std::vector<Eigen::Vector3d> points(const RowsWithTips& tips,
+                                    const std::vector<std::size_t>& rows) {
   std::vector<Eigen::Vector3d> result;
   result.reserve(rows.size());
   for (const std::size_t row : rows) result.push_back(tips.tips_mm[row]);
@@ -71,7 +72,7 @@ std::vector<Group> by_place_and_repeat(const VerificationRows& rows) {
   return groups;
 }
 
-std::vector<SpherePoints> spheres_of(const TipRows& tips, const std::vector<Group>& groups) {
+std::vector<SpherePoints> spheres_of(const RowsWithTips& tips, const std::vector<Group>& groups) {
   std::vector<SpherePoints> spheres;
   for (const Group& group : groups) {
     spheres.push_back({group.name, points(tips, group.rows), place(tips.rows, group.rows.front())});
@@ -82,7 +83,7 @@ std::vector<SpherePoints> spheres_of(const TipRows& tips, const std::vector<Grou
 /// Takes the rows of one measurement of one length after the other.
 class LengthReader {
  public:
-  LengthReader(const TipRows& tips, const LengthReading& reading, Diagnostics& diagnostics)
+  LengthReader(const RowsWithTips& tips, const LengthReading& reading, Diagnostics& diagnostics)
       : tips_(tips), rows_(tips.rows), reading_(reading), diagnostics_(diagnostics) {}
 
   std::vector<MeasuredLength> read() {
@@ -158,7 +159,7 @@ class LengthReader {
                        remedy);
   }
 
-  const TipRows& tips_;
+  const RowsWithTips& tips_;
   const VerificationRows& rows_;
   const LengthReading& reading_;
   Diagnostics& diagnostics_;
@@ -168,15 +169,16 @@ class LengthReader {
 
 }  // namespace
 
-std::vector<SpherePoints> spheres_by_place(const TipRows& tips) {
+std::vector<SpherePoints> spheres_by_place(const RowsWithTips& tips) {
   return spheres_of(tips, by_column(tips.rows, tips.rows.place));
 }
 
-std::vector<SpherePoints> spheres_by_repeat(const TipRows& tips) {
+std::vector<SpherePoints> spheres_by_repeat(const RowsWithTips& tips) {
   return spheres_of(tips, by_place_and_repeat(tips.rows));
 }
 
-std::vector<SpherePoints> spheres_by_articulation(const TipRows& tips, Diagnostics& diagnostics) {
+std::vector<SpherePoints> spheres_by_articulation(const RowsWithTips& tips,
+                                                  Diagnostics& diagnostics) {
   const VerificationRows& rows = tips.rows;
   for (std::size_t row = 1; row < rows.place.size(); ++row) {
     if (rows.place[row] == rows.place.front()) continue;
@@ -189,7 +191,7 @@ std::vector<SpherePoints> spheres_by_articulation(const TipRows& tips, Diagnosti
   return spheres_of(tips, by_column(rows, rows.articulation));
 }
 
-std::vector<b89_4_22::SeatPoints> seats_by_place(const TipRows& tips) {
+std::vector<b89_4_22::SeatPoints> seats_by_place(const RowsWithTips& tips) {
   std::vector<b89_4_22::SeatPoints> seats;
   for (const Group& group : by_column(tips.rows, tips.rows.place)) {
     seats.push_back({group.name, points(tips, group.rows), place(tips.rows, group.rows.front())});
@@ -197,7 +199,7 @@ std::vector<b89_4_22::SeatPoints> seats_by_place(const TipRows& tips) {
   return seats;
 }
 
-std::vector<MeasuredLength> measured_lengths(const TipRows& tips, const LengthReading& reading,
+std::vector<MeasuredLength> measured_lengths(const RowsWithTips& tips, const LengthReading& reading,
                                              Diagnostics& diagnostics) {
   return LengthReader(tips, reading, diagnostics).read();
 }

@@ -5,7 +5,7 @@
 namespace armcal {
 
 VerificationPlan run_verification_plan(InputFiles& files, const std::string& arm_path,
-                                       const VerificationWishes& wishes) {
+                                       const VerificationPlanWishes& wishes) {
   const auto arm = files.arm(arm_path);
   files.require_good();
   return plan_verification(*arm, wishes, files.monitor());

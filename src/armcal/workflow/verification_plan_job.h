@@ -12,6 +12,6 @@ namespace armcal {
 /// Plans the verification of the arm of a file.
 /// @throws InputError; ImpossiblePlan naming every artefact that finds no place
 [[nodiscard]] VerificationPlan run_verification_plan(InputFiles& files, const std::string& arm_path,
-                                                     const VerificationWishes& wishes);
+                                                     const VerificationPlanWishes& wishes);
 
 }  // namespace armcal

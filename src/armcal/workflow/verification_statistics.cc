@@ -46,7 +46,7 @@ std::vector<double> calibrated_lengths_mm(const PreparedTest& test) {
   return lengths;
 }
 
-std::vector<MeasuredLength> lengths_of(const PreparedTest& test, const TipRows& tips,
+std::vector<MeasuredLength> lengths_of(const PreparedTest& test, const RowsWithTips& tips,
                                        Diagnostics& diagnostics) {
   const bool opposite = test.stated.kind == StatedTestKind::length_bi;
   return measured_lengths(
@@ -54,7 +54,7 @@ std::vector<MeasuredLength> lengths_of(const PreparedTest& test, const TipRows& 
       diagnostics);
 }
 
-std::vector<TestResult> half_ranges(const TipRows& tips) {
+std::vector<TestResult> half_ranges(const RowsWithTips& tips) {
   std::vector<TestResult> results;
   for (const auto& seat : seats_by_place(tips)) {
     results.push_back(half_range(seat.points_mm, seat.name));
@@ -62,7 +62,7 @@ std::vector<TestResult> half_ranges(const TipRows& tips) {
   return results;
 }
 
-std::vector<TestResult> articulations(const PreparedTest& test, const TipRows& tips,
+std::vector<TestResult> articulations(const PreparedTest& test, const RowsWithTips& tips,
                                       const Eigen::Vector3d& first_axis_mm,
                                       Diagnostics& diagnostics) {
   if (!test.reach_mm) {
@@ -119,7 +119,7 @@ std::vector<TestBudget> budgets_of_lengths(const PreparedTest& test) {
 
 }  // namespace
 
-std::vector<TestResult> statistics_of(const PreparedTest& test, const TipRows& tips,
+std::vector<TestResult> statistics_of(const PreparedTest& test, const RowsWithTips& tips,
                                       const Eigen::Vector3d& first_axis_mm,
                                       Diagnostics& diagnostics) {
   switch (test.stated.kind) {

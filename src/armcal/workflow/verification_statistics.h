@@ -24,7 +24,8 @@ struct PreparedTest {
 /// statistics for every seat of single-point articulation, and so on. Readings that cannot be made
 /// into what the test is asked about are errors.
 /// @param first_axis_mm  origin of the arm's first joint in the frame of the tips
-[[nodiscard]] std::vector<TestResult> statistics_of(const PreparedTest& test, const TipRows& tips,
+[[nodiscard]] std::vector<TestResult> statistics_of(const PreparedTest& test,
+                                                    const RowsWithTips& tips,
                                                     const Eigen::Vector3d& first_axis_mm,
                                                     Diagnostics& diagnostics);
 

@@ -48,7 +48,7 @@ std::vector<Eigen::Vector3d> poles_at(const TouchSearch& search, const Eigen::Ve
   return {search.up(), (search.up() + back).normalized(), back};
 }
 
-bool reaches_all(const TouchSearch& search, const ProbedSphere& sphere,
+bool reaches_all(const TouchSearch& search, const SphereToProbe& sphere,
                  const std::vector<Eigen::Vector3d>& directions, RandomStream& random) {
   return std::all_of(directions.begin(), directions.end(), [&](const Eigen::Vector3d& direction) {
     const Touch touch = sphere.touch(direction);
@@ -91,11 +91,11 @@ PlannedBar random_bar(const TouchSearch& search, Eigen::Vector3d direction,
 }  // namespace
 
 std::vector<PlannedSphere> sphere_places(const TouchSearch& search, const Shell& shell,
-                                         const ProbedSphere& size, const SpherePattern& pattern,
+                                         const SphereToProbe& size, const SpherePattern& pattern,
                                          std::size_t most, RandomStream& random,
                                          TriedPlaces& tried) {
   std::vector<PlannedSphere> places;
-  ProbedSphere sphere = size;
+  SphereToProbe sphere = size;
   int looked_at = 0;
   for (int i = 0; i < kPlaces && looked_at < kPlacesLookedAt && places.size() < most; ++i) {
     sphere.centre_mm = random_point(search, shell, random);

@@ -27,11 +27,9 @@ using SpherePattern = std::function<std::vector<Eigen::Vector3d>(const Eigen::Ve
 // first axis or level to it, whichever works first.
 
 /// Spheres of which the tip reaches the whole pattern. @param size  its centre is not read
-[[nodiscard]] std::vector<PlannedSphere> sphere_places(const TouchSearch& search,
-                                                       const Shell& shell, const ProbedSphere& size,
-                                                       const SpherePattern& pattern,
-                                                       std::size_t most, RandomStream& random,
-                                                       TriedPlaces& tried);
+[[nodiscard]] std::vector<PlannedSphere> sphere_places(
+    const TouchSearch& search, const Shell& shell, const SphereToProbe& size,
+    const SpherePattern& pattern, std::size_t most, RandomStream& random, TriedPlaces& tried);
 
 /// A seat that the tip reaches with the arm in at least so many postures, which are returned with
 /// it: those that differ most.

@@ -12,7 +12,8 @@ namespace armcal {
 namespace {
 
 // The articulation that a start leads to.
-std::optional<Articulation> articulation_from(const TouchSearch& search, const ProbedSphere& sphere,
+std::optional<Articulation> articulation_from(const TouchSearch& search,
+                                              const SphereToProbe& sphere,
                                               const Eigen::Vector3d& pole,
                                               const Eigen::VectorXd& start_rad) {
   const Touch centre{sphere.centre_mm, Eigen::Vector3d::Zero()};
@@ -60,7 +61,7 @@ void begin_with_both_elbows(std::vector<Articulation>& candidates) {
 
 }  // namespace
 
-std::vector<Articulation> articulations_at(const TouchSearch& search, const ProbedSphere& sphere,
+std::vector<Articulation> articulations_at(const TouchSearch& search, const SphereToProbe& sphere,
                                            const Eigen::Vector3d& pole, int starts,
                                            RandomStream& random) {
   std::vector<Articulation> found;

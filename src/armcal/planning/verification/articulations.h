@@ -23,7 +23,7 @@ inline constexpr double kSteadyCosine = 0.9659258262890683;
 /// Articulations in which a sphere can be probed, of so many random starts.
 /// @param pole  away from the sphere's stem; the stylus comes from its side
 [[nodiscard]] std::vector<Articulation> articulations_at(const TouchSearch& search,
-                                                         const ProbedSphere& sphere,
+                                                         const SphereToProbe& sphere,
                                                          const Eigen::Vector3d& pole, int starts,
                                                          RandomStream& random);
 

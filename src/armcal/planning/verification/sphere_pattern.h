@@ -10,7 +10,7 @@
 namespace armcal {
 
 /// A sphere to be probed, in the base frame.
-struct ProbedSphere {
+struct SphereToProbe {
   Eigen::Vector3d centre_mm;
   double radius_mm = 0.0;
   double tip_radius_mm = 0.0;

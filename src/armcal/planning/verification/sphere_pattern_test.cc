@@ -54,7 +54,7 @@ TEST(SpherePattern, PointsStandApart) {
 }
 
 TEST(SpherePattern, TheTipTouchesWithItsBall) {
-  const ProbedSphere sphere{{100.0, 200.0, 300.0}, 12.5, 3.0};
+  const SphereToProbe sphere{{100.0, 200.0, 300.0}, 12.5, 3.0};
   const Touch touch = sphere.touch(Eigen::Vector3d::UnitZ());
   EXPECT_EQ(touch.tip_mm, Eigen::Vector3d(100.0, 200.0, 315.5));
   EXPECT_EQ(touch.outward, Eigen::Vector3d::UnitZ());

@@ -15,7 +15,7 @@ namespace armcal {
 /// What every test is planned with.
 struct PlanningCircumstances {
   const TouchSearch& search;
-  const VerificationWishes& wishes;  ///< defaults filled in
+  const VerificationPlanWishes& wishes;  ///< defaults filled in
   double reach_mm = 0.0;
 
   /// Part of the reach that a point is away from the origin of the first joint.
@@ -23,7 +23,7 @@ struct PlanningCircumstances {
     return (point_mm - search.origin_mm()).norm() / reach_mm;
   }
   /// A sphere as wished, nowhere yet.
-  [[nodiscard]] ProbedSphere sphere_at(const Eigen::Vector3d& centre_mm) const {
+  [[nodiscard]] SphereToProbe sphere_at(const Eigen::Vector3d& centre_mm) const {
     return {centre_mm, 0.5 * wishes.sphere_diameter_mm, 0.5 * wishes.tip_diameter_mm};
   }
 };
