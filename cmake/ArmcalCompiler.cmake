@@ -35,7 +35,9 @@ if(ARMCAL_SANITIZERS)
   # compile time of every file that uses Eigen.
   target_compile_options(armcal_watched INTERFACE
     -fsanitize=address,undefined -fno-sanitize=null,alignment,object-size,vptr
-    -fno-sanitize-recover=all -fno-omit-frame-pointer)
+    -fno-sanitize-recover=all -fno-omit-frame-pointer
+    # Marks the scope of every temporary of every expression of Eigen: a sixth of the compile time.
+    -fno-sanitize-address-use-after-scope)
   # GCC guesses wrong in instrumented and in barely optimised code; the Release build keeps this warning.
   target_compile_options(armcal_compiler INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   target_link_options(armcal_compiler INTERFACE -fsanitize=address,undefined)
