@@ -13,7 +13,9 @@ endif()
 
 find_program(ARMCAL_CCACHE ccache)
 if(ARMCAL_CCACHE)
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${ARMCAL_CCACHE})
+  # Wherever the clone lies, and with precompiled headers, which ccache leaves alone unless told.
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} CCACHE_NOHASHDIR=1
+    CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime ${ARMCAL_CCACHE})
 endif()
 
 add_library(armcal_compiler INTERFACE)
@@ -23,6 +25,8 @@ target_compile_options(armcal_compiler INTERFACE
   -Wno-missing-field-initializers
   # GCC 12 sees impossible copies inside std::string where it inlines much (GCC bugs 105329 and 105651).
   "$<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overflow;-Wno-restrict>"
+  # What ccache needs to see through a precompiled header.
+  $<$<AND:$<CXX_COMPILER_ID:GNU>,$<BOOL:${ARMCAL_CCACHE}>>:-fpch-preprocess>
   # The same readings must give the same digits on every build: no fused multiply-add behind our back.
   -ffp-contract=off)
 if(ARMCAL_WERROR)

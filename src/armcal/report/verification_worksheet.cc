@@ -78,14 +78,14 @@ std::string worksheet_csv(const VerificationPlan& plan) {
   const int joints = plan.arm.joint_count();
   std::string text = "test";
   for (const KeyColumn& key : key_columns()) text += fmt::format(",{}", key.title);
-  text += "," + angle_header(joints);
+  text += fmt::format(",{}", angle_header(joints));
   for (int j = 1; j <= joints; ++j) text += fmt::format(",planned_q{}_deg", j);
   text += ",planned_x_mm,planned_y_mm,planned_z_mm\n";
   const std::string to_be_filled_in(static_cast<std::size_t>(joints), ',');
   for (const PlannedTest& test : plan.tests) {
     for (const PlannedTouch& row : test.touches) {
       text += test.name;
-      for (const KeyColumn& key : key_columns()) text += "," + key.cell(row);
+      for (const KeyColumn& key : key_columns()) text += fmt::format(",{}", key.cell(row));
       text += fmt::format("{},{},{}\n", to_be_filled_in, angle_fields(row.encoder_rad),
                           point_fields(row.touch.tip_mm));
     }
