@@ -1,18 +1,25 @@
-# armcal_embed(TARGET FILES...): makes text files of the repository part of a library, so that the tool can
-# show its examples wherever it is installed. Each file becomes one entry of `embedded_files()`,
-# found by its path in the repository.
+# armcal_embed(TARGET FUNCTION name HEADER its/header.h FILES a b c...): makes text files part of a library, so that the
+# tool finds them wherever it is installed. Each file becomes one entry of `FUNCTION()`, found by its path in the
+# repository; a generated file (absolute path) by its name.
 
 function(armcal_embed target)
-  set(output ${PROJECT_BINARY_DIR}/generated/${target}_embedded_files.cc)
+  cmake_parse_arguments(EMBED "" "FUNCTION;HEADER" "FILES" ${ARGN})
+  set(output ${PROJECT_BINARY_DIR}/generated/${target}_${EMBED_FUNCTION}.cc)
   set(entries "")
-  foreach(path IN LISTS ARGN)
-    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${path})
-    file(READ ${PROJECT_SOURCE_DIR}/${path} text)
+  foreach(path IN LISTS EMBED_FILES)
+    if(IS_ABSOLUTE ${path})
+      set(source ${path})
+      get_filename_component(path ${path} NAME)
+    else()
+      set(source ${PROJECT_SOURCE_DIR}/${path})
+    endif()
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${source})
+    file(READ ${source} text)
     string(APPEND entries "    {\"${path}\",\n     R\"armcal-file(${text})armcal-file\"},\n")
   endforeach()
   file(CONFIGURE OUTPUT ${output} @ONLY CONTENT
 "// Made by cmake/ArmcalEmbed.cmake from files of the repository. Do not edit.
-#include \"armcal/workflow/embedded_files.h\"
+#include \"@EMBED_HEADER@\"
 
 #include <array>
 
@@ -22,7 +29,7 @@ constexpr std::array kFiles = std::to_array<EmbeddedFile>({
 @entries@});
 }  // namespace
 
-std::span<const EmbeddedFile> embedded_files() { return kFiles; }
+std::span<const EmbeddedFile> @EMBED_FUNCTION@() { return kFiles; }
 
 }  // namespace armcal
 ")

@@ -13,5 +13,10 @@ TEST(Sha256, KnowsThePublishedExamples) {
   EXPECT_EQ(sha256_hex("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
 }
 
+TEST(Sha256, SaysTheSameInBase64) {
+  // The digest of "abc" above, as coreutils write it: printf abc | sha256sum | xxd -r -p | base64
+  EXPECT_EQ(sha256_base64("abc"), "ungWv48Bz+pBQUDeXa4iI7ADYaOWF3qctBD/YfIAFa0=");
+}
+
 }  // namespace
 }  // namespace armcal

@@ -6,14 +6,11 @@
 #include <span>
 #include <string_view>
 
+#include "armcal/core/embedded_file.h"
+
 namespace armcal {
 
-/// A text file of the repository that is built into the library (cmake/ArmcalEmbed.cmake).
-struct EmbeddedFile {
-  std::string_view path;  ///< in the repository
-  std::string_view text;
-};
-
+/// Examples of the repository that the tool can show wherever it is installed.
 [[nodiscard]] std::span<const EmbeddedFile> embedded_files();
 
 [[nodiscard]] std::optional<EmbeddedFile> find_embedded_file(std::string_view path);

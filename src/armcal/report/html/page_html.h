@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: the armcal authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "armcal/report/html/language.h"
+#include "armcal/report/html/page.h"
+
+namespace armcal {
+
+/// A page as one HTML file that needs nothing else: style, scripts and the result document are in
+/// it. What it shows comes from report/html/page.mustache, which escapes every text.
+///
+/// A policy in its head lets the browser run only our own script, known by its hash, and fetch
+/// nothing: a text that slipped through unescaped would still run nothing.
+/// @param document  the result document (JSON) that the page was made from; `document_in_html`
+/// gives it back
+[[nodiscard]] std::string html_of(const Page& page, const Language& language,
+                                  const std::string& document);
+
+/// The result document that is embedded in a report, byte for byte as it was put in. Nothing where
+/// the text is no report of ours.
+[[nodiscard]] std::optional<std::string> document_in_html(std::string_view html);
+
+/// Is the script (charts to zoom, the arm to turn) part of this build? Without Node it is not, and
+/// reports show their drawings.
+[[nodiscard]] bool reports_have_scripts();
+
+}  // namespace armcal
