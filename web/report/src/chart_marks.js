@@ -108,6 +108,8 @@ function writeLabel(ctx, scale, font, line, place, { left, top, width }) {
   if (!line.label) return;
   ctx.font = font(12 * scale);
   ctx.setLineDash([]);
+  ctx.textAlign = "left";
+  ctx.textBaseline = "alphabetic";
   const room = ctx.measureText(line.label).width;
   const fitsRight = place + room + 8 * scale < left + width;
   const x = line.vertical ? (fitsRight ? place + 5 * scale : place - room - 5 * scale) : left + width - room - 5 * scale;

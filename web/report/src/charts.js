@@ -7,7 +7,7 @@ import { drawLines, drawSeries } from "./chart_marks.js";
 import { describe, nearest, neighbour, pointsOf, tipOf } from "./chart_points.js";
 import { element } from "./element.js";
 import { livePlace } from "./figure.js";
-import { fixedText, powerText } from "./number_text.js";
+import { fixedText, logTicks, powerTexts } from "./number_text.js";
 import { equalRanges, fullRanges, zoomed } from "./ranges.js";
 import { colour, onThemeChange } from "./theme.js";
 import { say } from "./words.js";
@@ -59,7 +59,6 @@ class LiveChart {
     );
     this.u = new uPlot(this.options(), [null, ...this.model.series.map(({ x, y }) => [x, y])], this.plot);
     this.u.over.append(this.ring, this.tip);
-    this.fit();
   }
 
   options() {
@@ -71,7 +70,9 @@ class LiveChart {
       grid: { stroke: () => colour("--grid"), width: 1 },
       ticks: { stroke: () => colour("--edge"), width: 1, size: 4 },
       gap: 5,
-      values: (u, splits, i, space, step) => splits.map((v) => tickText(v, step, model[key].scale)),
+      ...(model[key].scale === "log" ? { splits: (u, i, low, high) => logTicks(low, high) } : {}),
+      values: (u, splits, i, space, step) => (model[key].scale === "log" ? powerTexts(splits) : tickTexts(splits, step)),
+      ...(model[key].scale === "log" ? { filter: (u, splits) => splits } : {}),
       ...more,
     });
     const scale = (key) => ({ time: false, distr: model[key].scale === "log" ? 3 : 1, range: () => this.ranges[key] });
@@ -96,7 +97,7 @@ class LiveChart {
         })),
       ],
       cursor: { points: { show: false }, drag: { x: true, y: true, uni: 24, setScale: false }, bind: { dblclick: () => () => this.reset() }, dataIdx: () => null },
-      hooks: { draw: [(u) => drawLines(u, model.lines, (size) => this.font(size))], setSelect: [(u) => this.zoomTo(u.select)] },
+      hooks: { ready: [() => this.reset()], draw: [(u) => drawLines(u, model.lines, (size) => this.font(size))], setSelect: [(u) => this.zoomTo(u.select)] },
     };
   }
 
@@ -126,10 +127,6 @@ class LiveChart {
     });
     this.button.hidden = ranges === this.full;
     this.point(null);
-  }
-
-  fit() {
-    this.show(this.full);
   }
 
   reset() {
@@ -200,10 +197,9 @@ class LiveChart {
   }
 }
 
-function tickText(value, step, scale) {
-  if (value == null) return "";
-  if (scale === "log") return powerText(value);
+// With as many decimals as the step needs.
+function tickTexts(ticks, step) {
   let decimals = 0;
   while (decimals < 12 && Math.abs(step * 10 ** decimals - Math.round(step * 10 ** decimals)) > 1e-6) ++decimals;
-  return fixedText(value, decimals);
+  return ticks.map((tick) => fixedText(tick, decimals));
 }

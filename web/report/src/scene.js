@@ -14,7 +14,7 @@ import { artefactsOf, axesOf, groundOf, roundLength } from "./scene_world.js";
 import { colour, onThemeChange } from "./theme.js";
 import { say } from "./words.js";
 
-const INKS = { joint: "--scene-joint", link: "--scene-link", tip: "--series-4", fit: "--series-0", check: "--series-1", artefact: "--series-2" };
+const INKS = { joint: "--scene-joint", link: "--scene-link", tip: "--ink", fit: "--series-0", check: "--series-1", artefact: "--series-2" };
 
 function hasWebGL() {
   try {
