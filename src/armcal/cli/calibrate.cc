@@ -37,9 +37,8 @@ int run_calibrate(const Flags& flags, const Context& context) {
   }
   if (flags.save) {
     context.save(*flags.save,
-                 json_document({context.command, files.records(),
-                                loaded.session.estimate.check_seed, files.diagnostics()},
-                               json),
+                 context.document(files.records(), files.diagnostics(), json,
+                                  loaded.session.estimate.check_seed),
                  files.records());
   }
   context.emit(files.records(), files.diagnostics(), json, text_result(calibration));
