@@ -22,7 +22,7 @@ constexpr int kCheckStyle = 1;
 
 // Residuals (lengths) of fitted and of held-out rows over something that a row may have.
 template <typename Abscissa>
-void add_residuals(Chart& chart, const std::vector<CalibrationRow>& rows, const Language& say,
+void add_residuals(Chart& chart, const std::vector<ResidualRow>& rows, const Language& say,
                    const Abscissa& abscissa) {
   chart.y.label = say("figures.residual_axis");
   chart.y.low = 0.0;
@@ -32,7 +32,7 @@ void add_residuals(Chart& chart, const std::vector<CalibrationRow>& rows, const 
     series.name = say(check ? "calibration.set_check" : "calibration.set_fit");
     series.style = check ? kCheckStyle : kFitStyle;
     for (std::size_t i = 0; i < rows.size(); ++i) {
-      const CalibrationRow& row = rows[i];
+      const ResidualRow& row = rows[i];
       const std::optional<double> x = row.is_check == check ? abscissa(row, i) : std::nullopt;
       if (!x) continue;
       series.x.push_back(*x);
@@ -43,38 +43,38 @@ void add_residuals(Chart& chart, const std::vector<CalibrationRow>& rows, const 
   }
 }
 
-std::size_t joint_count(const std::vector<CalibrationRow>& rows) {
+std::size_t joint_count(const std::vector<ResidualRow>& rows) {
   std::size_t count = 0;
-  for (const CalibrationRow& row : rows) count = std::max(count, row.q_deg.size());
+  for (const ResidualRow& row : rows) count = std::max(count, row.q_deg.size());
   return count;
 }
 
-Figure over_joint(const std::vector<CalibrationRow>& rows, std::size_t joint, const Language& say) {
+Figure over_joint(const std::vector<ResidualRow>& rows, std::size_t joint, const Language& say) {
   Chart chart;
   chart.id = fmt::format("residual-joint-{}", joint + 1);
   chart.title = say("figures.over_joint", joint + 1);
   chart.x.label = say("figures.joint_axis", joint + 1);
-  add_residuals(chart, rows, say, [&](const CalibrationRow& row, std::size_t) {
+  add_residuals(chart, rows, say, [&](const ResidualRow& row, std::size_t) {
     return joint < row.q_deg.size() ? std::optional(row.q_deg[joint]) : std::nullopt;
   });
   return figure_of(chart);
 }
 
 // Distance of the tip from the origin of the base.
-Figure over_reach(const std::vector<CalibrationRow>& rows, const Language& say) {
+Figure over_reach(const std::vector<ResidualRow>& rows, const Language& say) {
   Chart chart;
   chart.id = "residual-reach";
   chart.title = say("figures.over_reach");
   chart.text = say("figures.over_reach_text");
   chart.x.label = say("figures.reach_axis");
-  add_residuals(chart, rows, say, [&](const CalibrationRow& row, std::size_t) {
+  add_residuals(chart, rows, say, [&](const ResidualRow& row, std::size_t) {
     return row.tip_mm ? std::optional(row.tip_mm->norm()) : std::nullopt;
   });
   return figure_of(chart);
 }
 
 // Hours since the first reading.
-std::optional<Figure> over_time(const std::vector<CalibrationRow>& rows, const Language& say) {
+std::optional<Figure> over_time(const std::vector<ResidualRow>& rows, const Language& say) {
   std::vector<std::optional<double>> hours(rows.size());
   std::optional<double> first;
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -89,27 +89,27 @@ std::optional<Figure> over_time(const std::vector<CalibrationRow>& rows, const L
   chart.id = "residual-time";
   chart.title = say("figures.over_time");
   chart.x.label = say("figures.time_axis");
-  add_residuals(chart, rows, say, [&](const CalibrationRow&, std::size_t i) {
+  add_residuals(chart, rows, say, [&](const ResidualRow&, std::size_t i) {
     return hours[i] ? std::optional(*hours[i] - *first) : std::nullopt;
   });
   return figure_of(chart);
 }
 
-Figure over_order(const std::vector<CalibrationRow>& rows, const Language& say) {
+Figure over_order(const std::vector<ResidualRow>& rows, const Language& say) {
   Chart chart;
   chart.id = "residual-order";
   chart.title = say("figures.over_order");
   chart.text = say("figures.over_order_text");
   chart.x.label = say("figures.order_axis");
-  add_residuals(chart, rows, say, [&](const CalibrationRow&, std::size_t i) {
+  add_residuals(chart, rows, say, [&](const ResidualRow&, std::size_t i) {
     return std::optional(static_cast<double>(i + 1));
   });
   return figure_of(chart);
 }
 
-std::vector<double> all_components(const std::vector<CalibrationRow>& rows) {
+std::vector<double> all_components(const std::vector<ResidualRow>& rows) {
   std::vector<double> components;
-  for (const CalibrationRow& row : rows) {
+  for (const ResidualRow& row : rows) {
     if (row.is_check) continue;
     components.insert(components.end(), row.components.begin(), row.components.end());
   }
@@ -144,7 +144,7 @@ Figure quantile_figure(const std::vector<double>& components, const Language& sa
 
 }  // namespace
 
-Figures residual_figures(const std::vector<CalibrationRow>& rows, const Language& say) {
+Figures residual_figures(const std::vector<ResidualRow>& rows, const Language& say) {
   Figures figures;
   for (std::size_t joint = 0; joint < joint_count(rows); ++joint) {
     figures.items.push_back(over_joint(rows, joint, say));

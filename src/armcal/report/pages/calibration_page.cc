@@ -24,9 +24,9 @@ constexpr double kTooUnlikely = 1e-3;  // probability of chi-squared
 struct Pooled {
   double squares = 0.0;
   double count = 0.0;
-  void add(const DocumentView& statistics) {
+  void add(const DocumentView& statistics, std::string_view key) {
     const double n = statistics.number("count");
-    const double rms = statistics.number("rms_mm");
+    const double rms = statistics.number(key);
     squares += n * rms * rms;
     count += n;
   }
@@ -44,17 +44,11 @@ struct Quality {
 Quality quality_of(const DocumentView& document) {
   Quality quality;
   for (const DocumentView& group : document.list("groups")) {
-    if (group.number("count") > 0) quality.fit.add(group);
-    if (group.has("nominal") && group["nominal"].number("count") > 0) {
-      quality.nominal.add(group["nominal"]);
-    }
+    if (group.number("count") > 0) quality.fit.add(group, "rms_mm");
+    if (group.has("nominal")) quality.nominal.add(group["nominal"], "rms_mm");
     if (!group.has("check")) continue;
-    quality.check.add(group["check"]);
-    if (const auto floor = group.number_if("floor_mm")) {
-      const double count = group["check"].number("count");
-      quality.floor.squares += count * *floor * *floor;
-      quality.floor.count += count;
-    }
+    quality.check.add(group["check"], "rms_mm");
+    if (group["check"].has("floor_mm")) quality.floor.add(group["check"], "floor_mm");
   }
   quality.coverage = document.number_if("check_coverage");
   quality.sigma0 = document.number("sigma0");
@@ -170,7 +164,7 @@ Section unseen_section(const DocumentView& document, const Language& say) {
   return section;
 }
 
-Table worst_rows(const std::vector<CalibrationRow>& rows, const Language& say) {
+Table worst_rows(const std::vector<ResidualRow>& rows, const Language& say) {
   Table table;
   table.caption = say("calibration.worst_rows");
   table.columns = {{say("calibration.place"), false},
@@ -179,14 +173,14 @@ Table worst_rows(const std::vector<CalibrationRow>& rows, const Language& say) {
                    {say("calibration.normalised")},
                    {say("calibration.u")},
                    {say("calibration.set"), false}};
-  std::vector<const CalibrationRow*> order;
-  for (const CalibrationRow& row : rows) order.push_back(&row);
+  std::vector<const ResidualRow*> order;
+  for (const ResidualRow& row : rows) order.push_back(&row);
   std::stable_sort(order.begin(), order.end(),
-                   [](const CalibrationRow* one, const CalibrationRow* other) {
+                   [](const ResidualRow* one, const ResidualRow* other) {
                      return std::abs(one->normalised) > std::abs(other->normalised);
                    });
   order.resize(std::min(kWorstRows, order.size()));
-  for (const CalibrationRow* row : order) {
+  for (const ResidualRow* row : order) {
     table.rows.push_back({{row->place},
                           {row->group},
                           {fixed(row->residual_mm, 4)},
@@ -207,7 +201,7 @@ Notice flagged_rows(const DocumentView& document, const Language& say) {
   return notice;
 }
 
-Section residuals_section(const DocumentView& document, const std::vector<CalibrationRow>& rows,
+Section residuals_section(const DocumentView& document, const std::vector<ResidualRow>& rows,
                           const Language& say) {
   Section section{"residuals", say("calibration.residuals"), say("calibration.residuals_lead"), {}};
   Notice flagged = flagged_rows(document, say);
@@ -239,8 +233,8 @@ Page calibration_page(const DocumentView& document, const Language& say) {
   page.subtitle = document.text("arm_name");
   const Quality quality = quality_of(document);
   page.stamp = stamp_of(quality, say);
-  const std::vector<CalibrationRow> rows =
-      document.has("rows") ? calibration_rows(document) : std::vector<CalibrationRow>();
+  const std::vector<ResidualRow> rows =
+      document.has("rows") ? residual_rows(document) : std::vector<ResidualRow>();
   page.sections.push_back(summary_section(document, quality, say));
   if (!rows.empty()) page.sections.push_back(arm_section(document, rows, say));
   page.sections.push_back(parameters_section(document, say));

@@ -12,7 +12,7 @@
 namespace armcal {
 
 /// One row of readings of a calibration, from the columns of the key `rows`.
-struct CalibrationRow {
+struct ResidualRow {
   std::string group;
   std::string place;  ///< "cmm.csv:118"
   bool is_check = false;
@@ -27,6 +27,6 @@ struct CalibrationRow {
 };
 
 /// @throws InputError where columns differ in length or hold what they should not
-[[nodiscard]] std::vector<CalibrationRow> calibration_rows(const DocumentView& document);
+[[nodiscard]] std::vector<ResidualRow> residual_rows(const DocumentView& document);
 
 }  // namespace armcal

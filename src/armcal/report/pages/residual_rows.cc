@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: the armcal authors
 // SPDX-License-Identifier: Apache-2.0
-#include "armcal/report/pages/calibration_rows.h"
+#include "armcal/report/pages/residual_rows.h"
 
 #include <fmt/format.h>
 
@@ -31,7 +31,7 @@ std::vector<DocumentView> column(const DocumentView& rows, const char* key, std:
 
 }  // namespace
 
-std::vector<CalibrationRow> calibration_rows(const DocumentView& document) {
+std::vector<ResidualRow> residual_rows(const DocumentView& document) {
   const DocumentView rows = document["rows"];
   const std::vector<DocumentView> group = rows.list("group");
   const std::size_t count = group.size();
@@ -46,9 +46,9 @@ std::vector<CalibrationRow> calibration_rows(const DocumentView& document) {
   const auto tip = column(rows, "tip_mm", count);
   const auto vector = column(rows, "residual_vector_mm", count);
   const auto components = column(rows, "components", count);
-  std::vector<CalibrationRow> result(count);
+  std::vector<ResidualRow> result(count);
   for (std::size_t i = 0; i < count; ++i) {
-    CalibrationRow& row = result[i];
+    ResidualRow& row = result[i];
     row.group = group[i].as_text();
     row.place = fmt::format("{}:{:.0f}", file[i].as_text(), line[i].as_number());
     row.is_check = check[i].as_flag();
