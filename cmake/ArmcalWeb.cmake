@@ -74,3 +74,14 @@ endfunction()
 if(ARMCAL_REPORT_SCRIPTS)
   armcal_bundle_report_script()
 endif()
+
+# Reports in a real browser: web/report/test. Skipped where node, chromium or the packages are not.
+if(ARMCAL_TESTS)
+  set(test_with ${ARMCAL_NODE})
+  if(NOT ARMCAL_NODE)
+    set(test_with sh -c "echo skipped: node is not here; exit 77")
+  endif()
+  add_test(NAME report_in_browser
+           COMMAND ${test_with} ${ARMCAL_WEB_DIR}/test/run.mjs $<TARGET_FILE:armcal> ${PROJECT_SOURCE_DIR}/examples)
+  set_tests_properties(report_in_browser PROPERTIES SKIP_RETURN_CODE 77 LABELS browser TIMEOUT 300)
+endif()
