@@ -73,7 +73,7 @@ class LiveScene {
       [0, 0, 0],
       ...this.posture.joints.flatMap(({ corners }) => corners),
       ...this.model.postures.map(({ tip_mm }) => tip_mm),
-      ...this.model.artefacts.flatMap(({ at_mm, to_mm }) => (to_mm ? [at_mm, to_mm] : [at_mm])),
+      ...this.model.artefacts.flatMap(({ kind, at_mm, to_mm }) => (kind === "bar" ? [at_mm, to_mm] : [at_mm])),
     ];
     const low = [0, 1, 2].map((k) => places.reduce((least, p) => Math.min(least, p[k]), Infinity));
     const high = [0, 1, 2].map((k) => places.reduce((most, p) => Math.max(most, p[k]), -Infinity));
