@@ -14,6 +14,7 @@ import { artefactsOf, axesOf, groundOf, roundLength } from "./scene_world.js";
 import { colour, onThemeChange } from "./theme.js";
 import { say } from "./words.js";
 
+const VIEW_DEG = 35; // from top to bottom
 const INKS = { joint: "--scene-joint", link: "--scene-link", tip: "--ink", fit: "--series-0", check: "--series-1", artefact: "--series-2" };
 
 function hasWebGL() {
@@ -96,7 +97,7 @@ class LiveScene {
     sun.position.set(1, -1.5, 2.5);
     this.scene.add(sun, this.arm.group, this.measured.group, artefactsOf(model.artefacts, size * 0.008, this.materials.artefact));
     this.arm.take(this.posture);
-    this.camera = new PerspectiveCamera(35, 1, size / 100, size * 20);
+    this.camera = new PerspectiveCamera(VIEW_DEG, 1, size / 100, size * 20);
     this.camera.up.set(0, 0, 1);
   }
 
@@ -185,7 +186,9 @@ class LiveScene {
   }
 
   reset() {
-    const away = this.size * 1.35;
+    const { clientWidth: width, clientHeight: height } = this.view;
+    const slimmer = Math.min(1, width / height) || 1;
+    const away = (0.48 * this.size) / Math.sin(Math.atan(slimmer * Math.tan((VIEW_DEG * Math.PI) / 360)));
     this.controls.target.copy(this.middle);
     this.camera.position.copy(this.middle).add(new Vector3(0.55, -0.75, 0.42).normalize().multiplyScalar(away));
     this.controls.update();
