@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "armcal/report/number_format.h"
 #include "armcal/report/pages/calibration_figures.h"
