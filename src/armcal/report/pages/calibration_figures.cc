@@ -27,8 +27,7 @@ constexpr int kFitStyle = 0;
 constexpr int kCheckStyle = 1;
 
 Eigen::VectorXd as_column(const std::vector<double>& values) {
-  return Eigen::Map<const Eigen::VectorXd>(values.data(),
-                                           static_cast<Eigen::Index>(values.size()));
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
 
 // Residuals (lengths) of fitted and of held-out rows over something that a row may have.
@@ -247,9 +246,9 @@ std::optional<Figure> convergence(const DocumentView& document, const Language& 
   double step = 0.0;
   for (const DocumentView& solution : document.list("convergence")) {
     ChartSeries series;
-    series.name = say(solution.text("stage") == "geometry" ? "figures.stage_geometry"
-                                                           : "figures.stage_all",
-                      chart.series.size() + 1);
+    series.name =
+        say(solution.text("stage") == "geometry" ? "figures.stage_geometry" : "figures.stage_all",
+            chart.series.size() + 1);
     series.mark = Mark::line;
     series.style = static_cast<int>(chart.series.size());
     for (const double cost : solution.numbers("costs")) {
@@ -276,9 +275,8 @@ Section arm_section(const DocumentView& document, const std::vector<ResidualRow>
       largest = row.residual_mm;
       drawing.shown = drawing.scene.postures.size();
     }
-    drawing.scene.postures.push_back(
-        {row.place, as_column(row.q_deg) * radians_from_degrees(1.0), row.residual_vector_mm,
-         row.is_check});
+    drawing.scene.postures.push_back({row.place, as_column(row.q_deg) * radians_from_degrees(1.0),
+                                      row.residual_vector_mm, row.is_check});
   }
   drawing.scene.enlargement = nice_enlargement(drawing.scene);
   const std::string enlargement = fmt::format("{:g}", drawing.scene.enlargement);
@@ -315,8 +313,7 @@ Figures parameter_changes(const DocumentView& document, const Language& say) {
     if (parameter.text("status") == "held") continue;
     const ShownUnit shown = shown_unit(parameter.text("name"), parameter.text("unit"));
     const double u = shown.factor * parameter.number("u");
-    const double change =
-        shown.factor * (parameter.number("value") - parameter.number("nominal"));
+    const double change = shown.factor * (parameter.number("value") - parameter.number("nominal"));
     IntervalGroup& group = groups[shown.unit];
     group.label = say("figures.change_axis", shown.unit);
     group.rows.push_back({parameter.text("name"), change, 2.0 * u,
@@ -328,13 +325,12 @@ Figures parameter_changes(const DocumentView& document, const Language& say) {
 
 Section numerics_section(const DocumentView& document, const Language& say) {
   Section section{"numerics", say("numerics.title"), say("numerics.lead"), {}};
-  section.blocks.emplace_back(
-      Facts{{{say("numerics.termination"), document.text("termination")},
-             {say("numerics.iterations"), whole(document.number("iterations"))},
-             {say("numerics.chi_squared"), fmt::format("{:.6g}", document.number("chi2"))},
-             {say("numerics.degrees_of_freedom"), whole(document.number("dof"))},
-             {say("numerics.probability"),
-              fmt::format("{:.2g}", document.number("chi2_probability"))}}});
+  section.blocks.emplace_back(Facts{
+      {{say("numerics.termination"), document.text("termination")},
+       {say("numerics.iterations"), whole(document.number("iterations"))},
+       {say("numerics.chi_squared"), fmt::format("{:.6g}", document.number("chi2"))},
+       {say("numerics.degrees_of_freedom"), whole(document.number("dof"))},
+       {say("numerics.probability"), fmt::format("{:.2g}", document.number("chi2_probability"))}}});
   Figures figures;
   figures.items.push_back(correlations(document, say));
   if (auto figure = convergence(document, say)) figures.items.push_back(std::move(*figure));
