@@ -17,6 +17,7 @@
 #include "armcal/cli/progress_bar.h"
 #include "armcal/core/diagnostics.h"
 #include "armcal/core/version.h"
+#include "armcal/report/html/language.h"
 
 namespace armcal::cli {
 namespace {
@@ -28,6 +29,7 @@ struct CommonFlags {
   bool quiet = false;
   bool version = false;
   std::string color = "auto";
+  ReportOrder report;
 };
 
 Command tool(CommonFlags& flags) {
@@ -50,6 +52,12 @@ Command tool(CommonFlags& flags) {
        NumberRange::any,
        {"auto", "always", "never"}},
       {"--version", "print the version", &flags.version},
+      {"--report", "write the result as a report of one HTML file", &flags.report.html, "HTML"},
+      {"--pdf", "the same on paper (needs Chromium)", &flags.report.pdf, "PDF"},
+      {"--lang", "language of the report", &flags.report.language, "LANG", NumberRange::any,
+       Language::codes()},
+      {"--details", "what the report says beside the result: customer, item, references (TOML)",
+       &flags.report.details_file, "FILE"},
   };
   root.subcommands = all_commands();
   root.examples = {"armcal demo paper",
@@ -91,7 +99,7 @@ class Failure {
                            const Diagnostics& diagnostics = {}) const {
     console_.err << colored(message, wants_color(flags_, console_));
     if (flags_.json) {
-      console_.out << json_error({command_, {}, std::nullopt, diagnostics}, code, message);
+      console_.out << json_error({command_, {}, {}, std::nullopt, diagnostics}, code, message);
     }
     return code;
   }
@@ -139,11 +147,17 @@ int run(std::span<const std::string> arguments, const Console& console) {
   if (console.err_is_terminal && !flags.quiet) {
     monitor.on_progress = [&](const Progress& progress) { bar.show(progress); };
   }
-  const Context context{console.out, console.err,
-                        monitor,     flags.json,
-                        flags.quiet, flags.force ? Overwrite::allow : Overwrite::refuse,
-                        verb};
+  Context context{console.out, console.err,
+                  monitor,     flags.json,
+                  flags.quiet, flags.force ? Overwrite::allow : Overwrite::refuse,
+                  verb,        {arguments.begin(), arguments.end()},
+                  flags.report};
   try {
+    std::optional<ReportWriter> report;
+    if (flags.report.is_placed() && verb != "report") {
+      report.emplace(flags.report, context.overwrite, monitor);
+      context.report = &*report;
+    }
     const int code = parsed.command->run(context);
     console.out.flush();
     if (!console.out)

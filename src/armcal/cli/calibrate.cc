@@ -28,8 +28,7 @@ int run_calibrate(const Flags& flags, const Context& context) {
   LoadedSession loaded = load_session(files, flags.session);
   loaded.options.allow_rank_deficient = flags.allow_rank_deficient;
   const Calibration calibration = run_calibration(loaded);
-  Json json = json_result(calibration);
-  json["arm"] = arm_text(calibration.arm);
+  const Json json = json_result(calibration, loaded.groups, loaded.session.estimate);
   if (flags.output) {
     ArmModel arm = calibration.arm;
     arm.note = fmt::format("Identified from {} by armcal calibrate.", flags.session);
@@ -37,9 +36,8 @@ int run_calibrate(const Flags& flags, const Context& context) {
   }
   if (flags.save) {
     context.save(*flags.save,
-                 json_document({context.command, files.records(),
-                                loaded.session.estimate.check_seed, files.diagnostics()},
-                               json),
+                 context.document(files.records(), files.diagnostics(), json,
+                                  loaded.session.estimate.check_seed),
                  files.records());
   }
   context.emit(files.records(), files.diagnostics(), json, text_result(calibration));

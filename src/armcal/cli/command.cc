@@ -51,11 +51,24 @@ void Context::emit(const std::vector<InputRecord>& inputs, const Diagnostics& di
   if (!quiet) {
     for (const Diagnostic& warning : diagnostics.warnings()) err << to_string(warning) << "\n";
   }
-  if (json) {
-    out << json_document({command, inputs, seed, diagnostics}, json_result);
-  } else {
+  if (!wants_document()) {
     out << text;
+    return;
   }
+  const std::string result = document(inputs, diagnostics, json_result, seed);
+  if (report != nullptr) {
+    for (const std::string& path : report->paths()) require_no_input(path, inputs);
+    report->write(result, "this result");
+  }
+  out << (json ? result : text);
+  if (report == nullptr || quiet) return;
+  for (const std::string& path : report->paths()) err << "report: " << path << "\n";
+}
+
+std::string Context::document(const std::vector<InputRecord>& inputs,
+                              const Diagnostics& diagnostics, const Json& json_result,
+                              const std::optional<std::uint64_t>& seed) const {
+  return json_document({command, command_line, inputs, seed, diagnostics}, json_result);
 }
 
 void Context::require_no_input(const std::string& path,

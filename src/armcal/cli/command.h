@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "armcal/cli/report_order.h"
 #include "armcal/core/progress.h"
 #include "armcal/io/output_file.h"
 #include "armcal/report/document.h"
@@ -72,14 +73,23 @@ struct Context {
   bool json = false;
   bool quiet = false;
   Overwrite overwrite = Overwrite::refuse;
-  std::string command;  ///< "fit circle"
+  std::string command;                    ///< "fit circle"
+  std::vector<std::string> command_line;  ///< as typed, without the program's name
+  ReportOrder report_order;
+  const ReportWriter* report = nullptr;  ///< where one is wanted
 
+  /// Is the document of the result wanted, to print or to report?
+  [[nodiscard]] bool wants_document() const { return json || report != nullptr; }
   /// Prints warnings to err (unless quiet) and the result to out: `text`, or with --json the
-  /// document.
+  /// document; writes the report where one is wanted.
   /// @param seed  where random numbers were drawn
   void emit(const std::vector<InputRecord>& inputs, const Diagnostics& diagnostics,
             const Json& json, const std::string& text,
             const std::optional<std::uint64_t>& seed = std::nullopt) const;
+  /// The document of a result, as --json prints it.
+  [[nodiscard]] std::string document(const std::vector<InputRecord>& inputs,
+                                     const Diagnostics& diagnostics, const Json& json,
+                                     const std::optional<std::uint64_t>& seed) const;
   /// @throws InputError where the path is one of the inputs
   void require_no_input(const std::string& path, const std::vector<InputRecord>& inputs) const;
   /// Writes an output file. @throws InputError where it would overwrite one of the inputs, and as

@@ -20,7 +20,8 @@ std::vector<Command> all_commands() {
           compare_command(),
           simulate_command(),
           convert_command(),
-          diff_command()};
+          diff_command(),
+          report_command()};
 }
 
 }  // namespace armcal::cli

@@ -22,6 +22,7 @@ namespace armcal::cli {
 [[nodiscard]] Command predict_command();
 [[nodiscard]] Command probe_command();
 [[nodiscard]] Command register_command();
+[[nodiscard]] Command report_command();
 [[nodiscard]] Command simulate_command();
 [[nodiscard]] Command symmetric_point_command();
 [[nodiscard]] Command verify_command();

@@ -33,8 +33,8 @@ int run_fk(const Flags& flags, const Context& context) {
     context.save(*flags.output, text, files.records());
     text.clear();
   }
-  context.emit(files.records(), files.diagnostics(), context.json ? json_of_tips(tips) : Json(),
-               text);
+  context.emit(files.records(), files.diagnostics(),
+               context.wants_document() ? json_of_tips(tips) : Json(), text);
   return kDone;
 }
 

@@ -28,10 +28,8 @@ int run_probe_command(const Flags& flags, const Context& context) {
   request.tip_diameter_mm = flags.tip_diameter_mm.value_or(0.0);
   InputFiles files(context.monitor);
   const StylusQualification stylus = run_probe(files, request, flags.table.options());
-  Json json = json_result(stylus, flags.limit_mm);
-  const std::string arm = arm_text(stylus.calibration.arm);
-  json["arm"] = arm;
-  if (flags.output) context.save(*flags.output, arm, files.records());
+  const Json json = json_result(stylus, flags.limit_mm);
+  if (flags.output) context.save(*flags.output, arm_text(stylus.calibration.arm), files.records());
   context.emit(files.records(), files.diagnostics(), json, text_result(stylus, flags.limit_mm));
   return verdict_of(stylus, flags.limit_mm) == Verdict::fail ? kDoesNotConform : kDone;
 }

@@ -32,7 +32,9 @@ ObservationGroup with_rows(ObservationGroup group, const std::vector<int>& rows)
   keep(group.feature, rows);
   keep(group.joint, rows);
   group.u_mm = Eigen::VectorXd(group.u_mm(rows));
-  if (group.value_mm.size() > 0) group.value_mm = Eigen::VectorXd(group.value_mm(rows));
+  for (Eigen::VectorXd* values : {&group.value_mm, &group.time_s, &group.temperature_c}) {
+    if (values->size() > 0) *values = Eigen::VectorXd((*values)(rows));
+  }
   keep_columns(group.encoder_rad, rows);
   keep_columns(group.encoder_end_rad, rows);
   keep_columns(group.reference_mm, rows);

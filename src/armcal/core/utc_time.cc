@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <cmath>
 
 namespace armcal {
 namespace {
@@ -103,6 +104,34 @@ std::string utc_text(UtcSeconds time) {
   return fmt::format("{:04}-{:02}-{:02}T{:02}:{:02}:{:02}Z", static_cast<int>(date.year()),
                      static_cast<unsigned>(date.month()), static_cast<unsigned>(date.day()),
                      clock.hours().count(), clock.minutes().count(), clock.seconds().count());
+}
+
+std::optional<double> parse_fractional_utc_time(std::string_view text) {
+  constexpr std::size_t kBeforeFraction = std::string_view("2026-03-02T09:15:30").size();
+  const bool has_fraction = text.size() > kBeforeFraction &&
+                            (text[kBeforeFraction] == '.' || text[kBeforeFraction] == ',');
+  std::string whole(text);
+  double fraction_s = 0.0;
+  if (has_fraction) {
+    std::size_t end = kBeforeFraction + 1;
+    for (double place = 0.1; end < text.size() && text[end] >= '0' && text[end] <= '9'; ++end) {
+      fraction_s += place * (text[end] - '0');
+      place /= 10.0;
+    }
+    if (end == kBeforeFraction + 1) return std::nullopt;
+    whole.erase(kBeforeFraction, end - kBeforeFraction);
+  }
+  const auto time = parse_utc_time(whole);
+  if (!time) return std::nullopt;
+  return static_cast<double>(*time) + fraction_s;
+}
+
+std::string fractional_utc_text(double time_s) {
+  const auto milliseconds = static_cast<std::int64_t>(std::llround(1000.0 * time_s));
+  std::string text = utc_text(milliseconds / 1000);
+  if (milliseconds % 1000 == 0) return text;
+  text.pop_back();
+  return text + fmt::format(".{:03}Z", milliseconds % 1000);
 }
 
 }  // namespace armcal

@@ -19,4 +19,11 @@ using UtcSeconds = std::int64_t;
 /// "2026-03-02T09:15:30Z"
 [[nodiscard]] std::string utc_text(UtcSeconds time);
 
+/// The same forms, and with a fraction after the seconds: "2026-03-02T10:15:30.25+01:00".
+[[nodiscard]] std::optional<double> parse_fractional_utc_time(std::string_view text);
+
+/// To the millisecond: "2026-03-02T09:15:30.250Z"; without a fraction where there is none.
+/// @param time_s  not negative
+[[nodiscard]] std::string fractional_utc_text(double time_s);
+
 }  // namespace armcal

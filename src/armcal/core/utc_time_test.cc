@@ -26,6 +26,18 @@ TEST(UtcTime, ReadsBackWhatItWrites) {
   EXPECT_EQ(utc_text(951868801), "2000-03-01T00:00:01Z");
 }
 
+TEST(UtcTime, KnowsFractionsOfASecond) {
+  EXPECT_EQ(parse_fractional_utc_time("1970-01-01T00:00:01.5Z"), 1.5);
+  EXPECT_EQ(parse_fractional_utc_time("1970-01-01 01:00:01,125+01:00"), 1.125);
+  EXPECT_EQ(parse_fractional_utc_time("1970-01-02"), 86400.0);
+  for (const char* text : {"1970-01-01T00:00:01.Z", "1970-01-01T00:00.5Z",
+                           "1970-01-01T00:00:01.5.5", "1970-01-01T00:00:01.x"}) {
+    EXPECT_FALSE(parse_fractional_utc_time(text).has_value()) << text;
+  }
+  EXPECT_EQ(fractional_utc_text(1.5), "1970-01-01T00:00:01.500Z");
+  EXPECT_EQ(fractional_utc_text(1.9999), "1970-01-01T00:00:02Z");
+}
+
 TEST(UtcTime, RefusesWhatIsNone) {
   for (const char* text : {"", "today", "2026-13-01", "2026-02-30", "2026-3-2", "02.03.2026",
                            "2026-03-02T", "1969-12-31", "2026-03-02T24:00", "2026-03-02T09:60",

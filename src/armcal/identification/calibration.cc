@@ -17,6 +17,7 @@
 #include "armcal/identification/estimation_problem.h"
 #include "armcal/identification/nuisance_values.h"
 #include "armcal/identification/residual_statistics.h"
+#include "armcal/identification/row_residuals.h"
 #include "armcal/numerics/distributions.h"
 
 namespace armcal {
@@ -109,6 +110,8 @@ class Calibrator {
     if (!problems.empty()) return fail(CalibrationStatus::cannot_start, problems);
     weigh_all(residuals_, unknowns_, x_);
     const auto before = residuals_of_observations(pointers_, unknowns_, x_);
+    nominal_lengths_mm_ = lengths_of(before);
+    places_at_start_ = x_.tail(x_.size() - unknowns_.arm_size());
     for (const ObservationGroup& group : groups_) {
       GroupResult each;
       each.name = group.name;
@@ -161,7 +164,11 @@ class Calibrator {
     for (const int index : all.free()) {
       if (table_[index].harmonic == 0) geometry.push_back(index);
     }
-    if (geometry.size() < all.free().size() && !refine(all.with_free(geometry))) return false;
+    if (geometry.size() < all.free().size()) {
+      stage_ = "geometry";
+      if (!refine(all.with_free(geometry))) return false;
+    }
+    stage_ = "all";
     return refine(all);
   }
 
@@ -207,6 +214,7 @@ class Calibrator {
     active_ = problem.active();
     result_.termination = solution_.termination;
     result_.iterations += solution_.iterations;
+    result_.convergence.push_back({stage_, problem.unknown_count(), solution_.costs});
     if (solution_.termination != Termination::converged)
       return fail(CalibrationStatus::no_convergence);
     x_ = solution_.x;
@@ -290,12 +298,7 @@ class Calibrator {
     return "held by the user";
   }
 
-  void record(const std::vector<ObservationResidual>& residuals, bool is_check) {
-    for (const ObservationResidual& each : residuals) {
-      const auto group = static_cast<int>(&each.residual->group() - groups_.data());
-      result_.residuals.push_back(
-          {group, each.residual->row(each.observation), is_check, each.length_mm});
-    }
+  void flag(const std::vector<ObservationResidual>& residuals, bool is_check) {
     for (FlaggedRow& row : flagged_rows(residuals, is_check))
       result_.flagged.push_back(std::move(row));
   }
@@ -304,29 +307,46 @@ class Calibrator {
     const auto fitted = residuals_of_observations(pointers_, unknowns_, x_);
     for (std::size_t g = 0; g < groups_.size(); ++g)
       result_.groups[g].fit = statistics_of(fitted, groups_[g]);
-    record(fitted, false);
+    flag(fitted, false);
+    result_.residuals = row_residuals(fitted, nominal_lengths_mm_, unknowns_, x_, groups_);
     const CheckRows check = check_rows_of(groups_, unknowns_, x_, options_.monitor);
-    if (check.residuals.empty()) return;
+    if (!check.residuals.empty()) finish_check(check);
+    sort_rows(result_.residuals);
+  }
+
+  void finish_check(const CheckRows& check) {
     std::vector<const Residual*> pointers;
     for (const auto& residual : check.residuals) pointers.push_back(residual.get());
     const auto held_out = residuals_of_observations(pointers, check.unknowns, check.x);
-    record(held_out, true);
+    flag(held_out, true);
+    std::vector<ObservationResidual> before;
+    const auto start =
+        start_of_check_rows(check, nominal_, places_at_start_, unknowns_.nuisances().size());
+    if (start) before = residuals_of_observations(pointers, nominal_, check.unknowns, *start);
     std::vector<ObservationResidual> registered;
     if (check.registered)
       registered = residuals_of_observations(pointers, check.unknowns, *check.registered);
     for (std::size_t g = 0; g < groups_.size(); ++g) {
-      const ResidualStatistics as_fitted = statistics_of(held_out, groups_[g]);
-      if (as_fitted.count == 0) continue;
-      result_.groups[g].check = as_fitted;
-      if (check.registered)
-        result_.groups[g].check_registered = statistics_of(registered, groups_[g]);
+      GroupResult& group = result_.groups[g];
+      group.check = statistics_if_any(held_out, groups_[g]);
+      group.check_nominal = statistics_if_any(before, groups_[g]);
+      group.check_registered = statistics_if_any(registered, groups_[g]);
     }
+    const auto rows = row_residuals(held_out, lengths_of(before), check.unknowns, check.x, groups_);
+    result_.residuals.insert(result_.residuals.end(), rows.begin(), rows.end());
     const Coverage coverage = coverage_of(check, unknowns_, factor_of_all(), scatter());
     result_.check_count = coverage.count;
     if (coverage.count > 0) {
       result_.check_coverage =
           static_cast<double>(coverage.inside) / static_cast<double>(coverage.count);
     }
+  }
+
+  [[nodiscard]] static std::optional<ResidualStatistics> statistics_if_any(
+      const std::vector<ObservationResidual>& residuals, const ObservationGroup& group) {
+    const ResidualStatistics statistics = statistics_of(residuals, group);
+    if (statistics.count == 0) return std::nullopt;
+    return statistics;
   }
 
   // Rows: all unknowns, zero where one is held. W W^T is their covariance, not widened.
@@ -348,6 +368,9 @@ class Calibrator {
   std::vector<std::unique_ptr<Residual>> residuals_;
   std::vector<const Residual*> pointers_;
   Eigen::VectorXd x_;
+  std::vector<double> nominal_lengths_mm_;  // of fitted rows, in the order of the residuals
+  Eigen::VectorXd places_at_start_;         // start values of the nuisances
+  const char* stage_ = "all";
   ChoiceOfUnknowns choice_;
   std::vector<int> held_steps_;
   bool scale_is_known_ = true;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <map>
 #include <optional>
 #include <span>
@@ -76,6 +77,10 @@ struct ResidualStatistics {
   double rms_mm = 0.0;
   double mean_mm = 0.0;
   double max_mm = 0.0;
+  /// Rms that a perfect arm would show, every reading scattering as stated: root of the mean, over
+  /// these rows, of the trace of their stated covariance (reference and encoders; poses: a third of
+  /// it, for they are three points).
+  double floor_mm = 0.0;
 };
 
 struct GroupResult {
@@ -85,6 +90,8 @@ struct GroupResult {
                                ///< points at their start
   ResidualStatistics fit;
   std::optional<ResidualStatistics> check;  ///< held-out rows, with what the fit found
+  /// The same rows before: on the nominal arm, with frames and points at their start.
+  std::optional<ResidualStatistics> check_nominal;
   /// The same after frames, points, spheres and planes were found anew on the held-out rows, the
   /// arm staying.
   std::optional<ResidualStatistics> check_registered;
@@ -99,12 +106,37 @@ struct FlaggedRow {
   bool is_check = false;
 };
 
-/// Residual of one row, for reports.
+/// Numbers that one row compares: a distance, x y z, or those of three points.
+using RowComponents = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 9, 1>;
+
+/// Residual of one row: measured - predicted, the arm being what predicts. NaN where a kind has no
+/// such thing.
 struct RowResidual {
   int group = 0;
   int row = 0;
-  bool is_check = false;
-  double residual_mm = 0.0;
+  bool is_check = false;       ///< held out: with what the fit found
+  double residual_mm = 0.0;    ///< length, as in ResidualStatistics
+  double nominal_residual_mm;  ///< the same on the nominal arm, frames and points at their start
+  Eigen::Vector3d point_mm;    ///< the measured point by the calibrated arm, base frame
+  /// From there to where the reference has it, base frame. Of a distance, radius or surface: along
+  /// it. Poses: of the origin of the target.
+  Eigen::Vector3d vector_mm;
+  RowComponents components;  ///< whitened: standard normal where the stated uncertainties are right
+
+  /// Root mean square of the components; of a single one itself, with its sign.
+  [[nodiscard]] double normalised() const {
+    return components.size() == 1
+               ? components(0)
+               : components.norm() / std::sqrt(static_cast<double>(components.size()));
+  }
+};
+
+/// The costs of one least-squares solution: chi-squared (with priors; robust: the loss) at its
+/// start and after every step.
+struct SolutionTrace {
+  std::string stage;  ///< "geometry": harmonics still at their nominal values; or "all"
+  int unknowns = 0;
+  std::vector<double> costs;
 };
 
 struct Calibration {
@@ -130,7 +162,9 @@ struct Calibration {
   int iterations = 0;
   std::vector<GroupResult> groups;
   std::vector<FlaggedRow> flagged;
-  std::vector<RowResidual> residuals;
+  std::vector<RowResidual> residuals;  ///< by group, in file order
+  /// In their order: what is determined and how rows are weighed is asked again after each.
+  std::vector<SolutionTrace> convergence;
   /// Share of held-out rows that lie within their predicted 95 % region; nothing without such rows.
   std::optional<double> check_coverage;
   Eigen::Index check_count = 0;

@@ -81,4 +81,17 @@ CheckRows check_rows_of(std::span<const ObservationGroup> groups, const Unknowns
   return check;
 }
 
+std::optional<Eigen::VectorXd> start_of_check_rows(const CheckRows& check, const ArmModel& nominal,
+                                                   const Eigen::VectorXd& fitted_places,
+                                                   std::size_t fitted_nuisances) {
+  Unknowns unknowns = check.unknowns;
+  Eigen::VectorXd x = unknowns.start();
+  x.head(fitted_places.size()) = fitted_places;
+  for (std::size_t id = 0; id < unknowns.nuisances().size(); ++id)
+    unknowns[static_cast<int>(id)].started = id < fitted_nuisances;
+  const ArmAt at{nominal, TipRows(nominal, {})};
+  if (!start_all(check.residuals, at, unknowns, x).empty()) return std::nullopt;
+  return x;
+}
+
 }  // namespace armcal

@@ -26,4 +26,11 @@ struct CheckRows {
                                       const Unknowns& fitted, const Eigen::VectorXd& x,
                                       const Monitor& monitor);
 
+/// Values of the unknowns of held-out rows before anything was fitted: what the fit knows as it
+/// started, the rest from these rows on the nominal arm; nothing where they are too few.
+/// @param fitted_places  start values of all that the fit knows beside the arm
+[[nodiscard]] std::optional<Eigen::VectorXd> start_of_check_rows(
+    const CheckRows& check, const ArmModel& nominal, const Eigen::VectorXd& fitted_places,
+    std::size_t fitted_nuisances);
+
 }  // namespace armcal

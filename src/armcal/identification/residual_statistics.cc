@@ -14,28 +14,32 @@ namespace {
 // Coordinates that one observation compares.
 Eigen::Index dimension(const Residual& residual) { return residual.rows_per_observation(); }
 
-// Derivatives that a row of it has.
-Eigen::Index column_count(const Residual& residual, const Unknowns& unknowns) {
-  Eigen::Index count = residual.depends_on_arm() ? unknowns.arm_size() : 0;
+// Points that it compares: poses count as three.
+double point_count(const Residual& residual) {
+  return std::max(1.0, static_cast<double>(dimension(residual)) / 3.0);
+}
+
+Eigen::Index nuisance_columns(const Residual& residual, const Unknowns& unknowns) {
+  Eigen::Index count = 0;
   for (const int id : residual.nuisances()) {
     count += static_cast<Eigen::Index>(step_names(unknowns[id]).size());
   }
   return count;
 }
 
-// Root of the sum of squares of rows first .. first + size - 1.
-double length_of(const BlockRows& rows, Eigen::Index first, Eigen::Index size) {
-  double squares = 0.0;
-  for (Eigen::Index r = first; r < first + size; ++r)
-    squares += rows.residual(r) * rows.residual(r);
-  return std::sqrt(squares);
+// Measured - predicted of rows first .. first + size - 1.
+RowComponents differences(const BlockRows& rows, Eigen::Index first, Eigen::Index size) {
+  RowComponents result(size);
+  for (Eigen::Index r = 0; r < size; ++r) result(r) = -rows.residual(first + r);
+  return result;
 }
 
+// @param unknowns  without columns of the arm
 void append_residuals(const Residual& residual, const ArmAt& at, const Unknowns& unknowns,
                       const Eigen::VectorXd& x, std::vector<ObservationResidual>& result) {
   const Eigen::Index size = dimension(residual);
-  const double points = std::max<double>(1.0, static_cast<double>(size) / 3.0);
-  const Eigen::Index columns = column_count(residual, unknowns);
+  const double points = point_count(residual);
+  const Eigen::Index columns = nuisance_columns(residual, unknowns);
   for (Eigen::Index first = 0; first < residual.count(); first += kObservationsPerBlock) {
     const Eigen::Index count = std::min(kObservationsPerBlock, residual.count() - first);
     std::vector<double> data(static_cast<std::size_t>(size * count * (columns + 1)), 0.0);
@@ -43,13 +47,15 @@ void append_residuals(const Residual& residual, const ArmAt& at, const Unknowns&
     residual.fill(at, unknowns, x, first, count, rows);
     const std::size_t begin = result.size();
     for (Eigen::Index k = 0; k < count; ++k) {
-      result.push_back(
-          {&residual, first + k, length_of(rows, size * k, size) / std::sqrt(points), 0.0});
+      const RowComponents own_mm = differences(rows, size * k, size);
+      ObservationResidual each{&residual, first + k, own_mm.norm() / std::sqrt(points), {}, {}};
+      const Eigen::Index shown = std::min<Eigen::Index>(3, size);
+      each.first_mm << own_mm.head(shown), Eigen::VectorXd::Zero(3 - shown);
+      result.push_back(each);
     }
     residual.whiten(first, count, rows);
     for (Eigen::Index k = 0; k < count; ++k) {
-      const double length = length_of(rows, size * k, size);
-      result[begin + static_cast<std::size_t>(k)].normalised_square = length * length;
+      result[begin + static_cast<std::size_t>(k)].components = differences(rows, size * k, size);
     }
   }
 }
@@ -59,10 +65,19 @@ void append_residuals(const Residual& residual, const ArmAt& at, const Unknowns&
 std::vector<ObservationResidual> residuals_of_observations(
     const std::vector<const Residual*>& residuals, const Unknowns& unknowns,
     const Eigen::VectorXd& x) {
-  const ArmModel arm = unknowns.arm_at(x);
-  const ArmAt at{arm, TipRows(arm, unknowns.columns())};
+  return residuals_of_observations(residuals, unknowns.arm_at(x), unknowns, x);
+}
+
+std::vector<ObservationResidual> residuals_of_observations(
+    const std::vector<const Residual*>& residuals, const ArmModel& arm, const Unknowns& unknowns,
+    const Eigen::VectorXd& x) {
+  const ArmAt at{arm, TipRows(arm, {})};
+  // Derivatives by the arm would cost most of the time, and nobody asks for them.
+  const Unknowns places = unknowns.with_free({});
+  const Eigen::VectorXd values = places.state_from(unknowns, x);
   std::vector<ObservationResidual> result;
-  for (const Residual* residual : residuals) append_residuals(*residual, at, unknowns, x, result);
+  for (const Residual* residual : residuals)
+    append_residuals(*residual, at, places, values, result);
   return result;
 }
 
@@ -70,16 +85,19 @@ ResidualStatistics statistics_of(const std::vector<ObservationResidual>& residua
                                  const ObservationGroup& group) {
   ResidualStatistics statistics;
   double squares = 0.0;
+  double variances = 0.0;
   for (const ObservationResidual& each : residuals) {
     if (&each.residual->group() != &group) continue;
     ++statistics.count;
     squares += each.length_mm * each.length_mm;
+    variances += each.residual->variance(each.observation) / point_count(*each.residual);
     statistics.mean_mm += each.length_mm;
     statistics.max_mm = std::max(statistics.max_mm, each.length_mm);
   }
   if (statistics.count == 0) return statistics;
   statistics.mean_mm /= static_cast<double>(statistics.count);
   statistics.rms_mm = std::sqrt(squares / static_cast<double>(statistics.count));
+  statistics.floor_mm = std::sqrt(variances / static_cast<double>(statistics.count));
   return statistics;
 }
 
@@ -93,14 +111,14 @@ std::vector<FlaggedRow> flagged_rows(const std::vector<ObservationResidual>& res
   std::vector<double> ratios;
   for (const ObservationResidual& each : residuals) {
     const auto freedom = static_cast<double>(dimension(*each.residual));
-    ratios.push_back(each.normalised_square / chi_squared_quantile(0.5, freedom));
+    ratios.push_back(each.components.squaredNorm() / chi_squared_quantile(0.5, freedom));
   }
   const double scale = median(ratios);
   if (!(scale > 0.0)) return flagged;
   const double level = 1.0 - 0.01 / static_cast<double>(residuals.size());
   for (const ObservationResidual& each : residuals) {
     const auto freedom = static_cast<double>(dimension(*each.residual));
-    const double square = each.normalised_square / scale;
+    const double square = each.components.squaredNorm() / scale;
     if (square <= chi_squared_quantile(level, freedom)) continue;
     const ObservationGroup& group = each.residual->group();
     const int row = each.residual->row(each.observation);

@@ -15,12 +15,18 @@ struct ObservationResidual {
   Eigen::Index observation = 0;
   double length_mm =
       0.0;  ///< root of the sum of squares of its rows; poses: of the mean over their three points
-  double normalised_square =
-      0.0;  ///< whitened: a chi-squared of as many degrees of freedom as rows
+  /// Measured - predicted of its first rows, mm: x y z, or the one number that a kind compares.
+  Eigen::Vector3d first_mm = Eigen::Vector3d::Zero();
+  RowComponents components;  ///< all its rows, measured - predicted, whitened
 };
 
+/// Of all observations, one residual after the other.
 [[nodiscard]] std::vector<ObservationResidual> residuals_of_observations(
     const std::vector<const Residual*>& residuals, const Unknowns& unknowns,
+    const Eigen::VectorXd& x);
+/// The same on another arm than that at x.
+[[nodiscard]] std::vector<ObservationResidual> residuals_of_observations(
+    const std::vector<const Residual*>& residuals, const ArmModel& arm, const Unknowns& unknowns,
     const Eigen::VectorXd& x);
 
 [[nodiscard]] ResidualStatistics statistics_of(const std::vector<ObservationResidual>& residuals,

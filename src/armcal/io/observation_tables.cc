@@ -11,6 +11,7 @@
 #include <set>
 
 #include "armcal/core/spelling.h"
+#include "armcal/io/row_conditions.h"
 
 namespace armcal {
 namespace {
@@ -41,6 +42,7 @@ class GroupReader {
       group_.lines.push_back(table_.line(row));
     read_uncertainties();
     read_sets();
+    read_conditions(table_, group_, diagnostics_);
     if (group_.kind != ReferenceKind::length) read_angles();
     read_kind();
     if (diagnostics_.error_count() > errors_before) return std::nullopt;

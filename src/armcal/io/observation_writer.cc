@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -14,6 +15,7 @@
 #include <vector>
 
 #include "armcal/core/units.h"
+#include "armcal/core/utc_time.h"
 #include "armcal/io/csv_text.h"
 #include "armcal/io/number_text.h"
 
@@ -77,6 +79,7 @@ class GroupWriter {
     write_kind();
     write_uncertainties();
     write_sets();
+    write_conditions();
     if (in_place) {
       texts_.entry.file.clear();
       texts_.entry.length_mm = group_.value_mm(0);
@@ -229,6 +232,25 @@ class GroupWriter {
     table_.add("set", [this](auto row) {
       return group_.is_check[static_cast<std::size_t>(row)] ? "check" : "fit";
     });
+  }
+
+  void write_conditions() {
+    const auto field = [](double value, const auto& text) {
+      return std::isnan(value) ? std::string() : text(value);
+    };
+    if (group_.time_s.size() > 0) {
+      table_.add("time", [this, field](auto row) {
+        return field(group_.time_s(row), [this](double time_s) {
+          return group_.time_is_utc ? fractional_utc_text(time_s) : decimal_text(time_s, 3);
+        });
+      });
+    }
+    if (group_.temperature_c.size() > 0) {
+      table_.add("temperature_c", [this, field](auto row) {
+        return field(group_.temperature_c(row),
+                     [](double temperature_c) { return decimal_text(temperature_c, 4); });
+      });
+    }
   }
 
   // A reader takes equal postures, points and rows for copies, and 0 0 0 for a missing point.

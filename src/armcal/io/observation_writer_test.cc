@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "armcal/core/units.h"
@@ -123,6 +125,26 @@ TEST(GroupTexts, KeepWhatDiffersByRow) {
     group.is_check[0] = true;
     if (!group.place.empty()) group.place.back() = "another";
     expect_same(group, written_and_read(group));
+  }
+}
+
+TEST(GroupTexts, KeepTimesAndTemperatures) {
+  for (ObservationGroup group : every_kind(0.01)) {
+    if (group.count() < 2) continue;
+    SCOPED_TRACE(to_string(group.kind));
+    for (const bool is_utc : {true, false}) {
+      group.time_is_utc = is_utc;
+      group.time_s = Eigen::VectorXd::LinSpaced(group.count(), 1000.25, 5000.75).array().round();
+      group.time_s(0) += 0.125;
+      group.temperature_c = Eigen::VectorXd::Constant(group.count(), 20.5);
+      group.temperature_c(1) = std::numeric_limits<double>::quiet_NaN();
+      const ObservationGroup back = written_and_read(group);
+      EXPECT_EQ(back.time_is_utc, is_utc);
+      EXPECT_EQ(back.time_s, group.time_s);
+      ASSERT_EQ(back.temperature_c.size(), group.count());
+      EXPECT_EQ(back.temperature_c(0), 20.5);
+      EXPECT_TRUE(std::isnan(back.temperature_c(1)));
+    }
   }
 }
 

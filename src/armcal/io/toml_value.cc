@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <stdexcept>
 
 // toml++ 3.3 asserts that the name of a table begins with a letter, digit or quote, where it should
@@ -78,6 +79,14 @@ SourcePosition position(const std::string& file, const toml::source_region& regi
   return {file, static_cast<int>(region.begin.line), static_cast<int>(region.begin.column)};
 }
 
+std::string date_text(const toml::node& node) {
+  std::ostringstream text;
+  if (const auto* date = node.as_date()) text << date->get();
+  if (const auto* time = node.as_time()) text << time->get();
+  if (const auto* date_time = node.as_date_time()) text << date_time->get();
+  return text.str();
+}
+
 TomlValue converted(const std::string& file, const toml::node& node) {
   TomlValue result{position(file, node.source()), {}};
   if (const auto* table = node.as_table()) {
@@ -105,8 +114,10 @@ TomlValue converted(const std::string& file, const toml::node& node) {
     result.value = number->get();
   } else if (const auto* flag = node.as_boolean()) {
     result.value = flag->get();
+  } else {
+    result.value = TomlDate{date_text(node)};
   }
-  return result;  // dates stay empty: nothing here reads them
+  return result;
 }
 
 std::string_view type_name(const TomlValue& value) {
@@ -240,6 +251,13 @@ std::optional<std::string> TomlSection::number_or_text(std::string_view key) {
     return std::nullopt;
   }
   return shortest_text(*number);
+}
+
+std::optional<std::string> TomlSection::spelled(std::string_view key) {
+  const TomlValue* value = find(key);
+  if (value == nullptr) return std::nullopt;
+  if (const auto* date = std::get_if<TomlDate>(&value->value)) return date->text;
+  return number_or_text(key);
 }
 
 std::optional<Eigen::VectorXd> TomlSection::numbers(std::string_view key) {

@@ -18,13 +18,17 @@
 namespace armcal {
 
 struct TomlValue;
+/// A date, a time or both, as TOML spells it.
+struct TomlDate {
+  std::string text;
+};
 using TomlArray = std::vector<TomlValue>;
 using TomlTable = std::vector<std::pair<std::string, TomlValue>>;  // in the order of the file
 
 /// A value of a TOML file and where it stands.
 struct TomlValue {
   SourcePosition where;
-  std::variant<std::monostate, bool, std::int64_t, double, std::string, TomlArray, TomlTable> value;
+  std::variant<TomlDate, bool, std::int64_t, double, std::string, TomlArray, TomlTable> value;
 };
 
 /// Parses a TOML 1.0 document; the root is a table. What is not TOML goes to `diagnostics`.
@@ -45,6 +49,8 @@ class TomlSection {
   std::optional<std::string> text(std::string_view key);
   /// A text, or a number as the text that spells it: for formulas.
   std::optional<std::string> number_or_text(std::string_view key);
+  /// The same, and dates too: for what is printed as it was typed.
+  std::optional<std::string> spelled(std::string_view key);
   std::optional<Eigen::VectorXd> numbers(std::string_view key);
   std::optional<std::vector<std::string>> texts(std::string_view key);
   /// Rows of pairs, as [[1.0, 2.0], [3.0, 4.0]].

@@ -68,11 +68,13 @@ LeastSquaresSolution Iteration::run(const Eigen::VectorXd& start) {
   builder_.build(start, here_);
   solution_.cost = here_.cost;
   if (!here_.finite()) return ended(Termination::not_finite);
+  solution_.costs.push_back(solution_.cost);
   enter();
   while (true) {
     if (at_rest()) {
       solution_.x = moved(model_->undamped());
       solution_.cost = std::max(0.0, solution_.cost - model_->undamped().predicted_decrease);
+      solution_.costs.push_back(solution_.cost);
       ++solution_.iterations;
       return ended(Termination::converged);
     }
@@ -147,6 +149,7 @@ void Iteration::take(Eigen::VectorXd x) {
   solution_.x = std::move(x);
   std::swap(here_, there_);
   solution_.cost = here_.cost;
+  solution_.costs.push_back(solution_.cost);
   enter();
 }
 

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <string_view>
+#include <vector>
 
 #include "armcal/core/progress.h"
 #include "armcal/numerics/least_squares_problem.h"
@@ -40,6 +41,9 @@ struct LeastSquaresSolution {
   /// Sum of squared residuals (robust: of the loss), at x. Of a converged solution: as predicted
   /// for its last step, which no pass has checked since it is below what the cost can show.
   double cost = 0.0;
+  /// The cost at the start and after every step that was taken. Falls, save by rounding where a
+  /// step is too small for the cost to show.
+  std::vector<double> costs;
   Eigen::Index rows = 0;
   int iterations = 0;             ///< steps tried, the last one included
   double condition_number = 0.0;  ///< of the column-scaled Jacobian at the end

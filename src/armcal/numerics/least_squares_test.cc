@@ -137,6 +137,20 @@ TEST(LeastSquares, DampsWhereGaussNewtonOvershoots) {
   EXPECT_LT((solution.x - Eigen::Vector2d(1, 1)).norm(), 1e-13);
 }
 
+TEST(LeastSquares, KeepsACostThatFallsFromTheStartToTheEnd) {
+  const Bent bent(300, 8, 0.1);
+  const Eigen::VectorXd start = Eigen::VectorXd::Constant(8, 3.0);
+  const DenseProblem problem = bent.problem(64);
+  const auto solution = solve_least_squares(problem, start);
+  ASSERT_TRUE(solution.ok());
+  ASSERT_GE(solution.costs.size(), 3u);
+  EXPECT_LE(static_cast<int>(solution.costs.size()), solution.iterations + 1);
+  EXPECT_NEAR(solution.costs.front() / residuals_at(problem, start).squaredNorm(), 1.0, 1e-12);
+  EXPECT_EQ(solution.costs.back(), solution.cost);
+  for (std::size_t i = 1; i < solution.costs.size(); ++i)
+    EXPECT_LE(solution.costs[i], solution.costs[i - 1]);
+}
+
 TEST(LeastSquares, MovesAlongTheManifoldOfTheProblem) {
   // The unit direction closest to a vector, by steps in its tangent plane.
   class Direction : public LeastSquaresProblem {

@@ -61,6 +61,12 @@ struct ObservationGroup {
   std::string target;  ///< not empty: the measured point is this unknown point of the last joint,
                        ///< not the tip
 
+  /// When each row was read, s: since 1970-01-01T00:00:00Z where `time_is_utc`, else since a start
+  /// that nobody knows. NaN where a row does not say; empty where none does.
+  Eigen::VectorXd time_s;
+  bool time_is_utc = false;
+  Eigen::VectorXd temperature_c;  ///< at each row; NaN and empty alike
+
   [[nodiscard]] Eigen::Index count() const { return static_cast<Eigen::Index>(lines.size()); }
 };
 

@@ -9,6 +9,9 @@
 #include <nlohmann/json.hpp>
 
 #include "armcal/core/units.h"
+#include "armcal/io/arm_file.h"
+#include "armcal/io/session_file.h"
+#include "armcal/report/calibration_rows.h"
 #include "armcal/report/number_format.h"
 #include "armcal/report/text_table.h"
 
@@ -30,7 +33,8 @@ Json statistics_json(const ResidualStatistics& statistics) {
   return {{"count", statistics.count},
           {"rms_mm", statistics.rms_mm},
           {"mean_mm", statistics.mean_mm},
-          {"max_mm", statistics.max_mm}};
+          {"max_mm", statistics.max_mm},
+          {"floor_mm", statistics.floor_mm}};
 }
 
 Json json_of_parameters(const Calibration& calibration) {
@@ -56,6 +60,7 @@ Json json_of_groups(const Calibration& calibration) {
     entry.update(statistics_json(group.fit));
     entry["nominal"] = statistics_json(group.nominal);
     if (group.check) entry["check"] = statistics_json(*group.check);
+    if (group.check_nominal) entry["check_nominal"] = statistics_json(*group.check_nominal);
     if (group.check_registered)
       entry["check_registered"] = statistics_json(*group.check_registered);
     groups.push_back(std::move(entry));
@@ -81,6 +86,30 @@ std::vector<std::string> free_names(const Calibration& calibration) {
     names.push_back(calibration.parameters[static_cast<std::size_t>(index)].name);
   }
   return names;
+}
+
+Json json_of_convergence(const Calibration& calibration) {
+  Json solutions = Json::array();
+  for (const SolutionTrace& each : calibration.convergence) {
+    solutions.push_back(
+        {{"stage", each.stage}, {"unknowns", each.unknowns}, {"costs", each.costs}});
+  }
+  return solutions;
+}
+
+Json json_of_session(const SessionEstimate& asked) {
+  Json prior = {{"length_mm", json_of(asked.prior_length_mm)},
+                {"zero_rad", json_of(asked.prior_zero_rad)},
+                {"twist_rad", json_of(asked.prior_twist_rad)},
+                {"harmonic_rad", json_of(asked.prior_harmonic_rad)},
+                {"parameters", Json::object()}};
+  for (const auto& [name, u] : asked.prior_of) prior["parameters"][name] = u;
+  return {{"hold", asked.hold},
+          {"harmonics", asked.harmonics},
+          {"loss", asked.loss},
+          {"check_fraction", asked.check_fraction},
+          {"check_seed", asked.check_seed},
+          {"prior", prior}};
 }
 
 // Pairs of parameters that the readings hardly tell apart, the closest first.
@@ -226,6 +255,7 @@ Json json_result(const Calibration& calibration) {
   json["chi2_probability"] = calibration.chi_squared_probability;
   json["iterations"] = calibration.iterations;
   json["termination"] = to_string(calibration.termination);
+  json["convergence"] = json_of_convergence(calibration);
   json["check_coverage"] = json_of(calibration.check_coverage);
   json["nuisances"] = Json::array();
   for (const NuisanceValue& each : calibration.nuisances) {
@@ -246,6 +276,16 @@ Json json_result(const Calibration& calibration) {
                                {"normalised", row.normalised},
                                {"check", row.is_check}});
   }
+  json["arm"] = arm_text(calibration.arm);
+  json["nominal_arm"] = arm_text(calibration.nominal);
+  return json;
+}
+
+Json json_result(const Calibration& calibration, std::span<const ObservationGroup> groups,
+                 const SessionEstimate& asked) {
+  Json json = json_result(calibration);
+  json["session"] = json_of_session(asked);
+  json["rows"] = json_of_rows(calibration, groups);
   return json;
 }
 

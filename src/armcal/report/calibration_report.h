@@ -3,6 +3,7 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <span>
 #include <string>
 
 #include "armcal/identification/calibration.h"
@@ -10,8 +11,15 @@
 
 namespace armcal {
 
+struct SessionEstimate;
+
 /// Keys: docs/commands/calibrate.md.
 [[nodiscard]] Json json_result(const Calibration& calibration);
+
+/// The same with what was asked for and every row of the readings.
+[[nodiscard]] Json json_result(const Calibration& calibration,
+                               std::span<const ObservationGroup> groups,
+                               const SessionEstimate& asked);
 
 /// A report that can be pasted into a mail.
 [[nodiscard]] std::string text_result(const Calibration& calibration);

@@ -27,6 +27,7 @@ Json head_of(const DocumentHead& head) {
   document["schema"] = "armcal.result/1";
   document["tool_version"] = kVersion;
   document["command"] = head.command;
+  document["command_line"] = head.command_line;
   document["inputs"] = Json::array();
   for (const InputRecord& input : head.inputs) {
     document["inputs"].push_back({{"path", input.path}, {"sha256", input.sha256}});

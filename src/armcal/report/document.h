@@ -24,6 +24,7 @@ struct InputRecord {
 /// What every result says of its making.
 struct DocumentHead {
   std::string command;
+  std::vector<std::string> command_line;  ///< as typed, without the program's name
   std::vector<InputRecord> inputs;
   std::optional<std::uint64_t> seed;  ///< nothing where no random number was drawn
   Diagnostics diagnostics;            ///< its warnings go into the document

@@ -45,6 +45,11 @@ void ArtefactResidual::fill(const ArmAt& at, const Unknowns& unknowns, const Eig
   }
 }
 
+ObservedPlaces ArtefactResidual::places(const ArmAt& at, const Unknowns& unknowns,
+                                        const Eigen::VectorXd& x) const {
+  return {point_.all(at, unknowns, x), {}};
+}
+
 Eigen::MatrixXd ArtefactResidual::J_residual_encoders(const ArmModel& arm, const Unknowns& unknowns,
                                                       const Eigen::VectorXd& x) const {
   return point_.moving(arm, unknowns, x, encoders(group().encoder_rad)).J_encoders;

@@ -47,6 +47,21 @@ void CircleRadiusResidual::fill(const ArmAt& at, const Unknowns& unknowns, const
   }
 }
 
+ObservedPlaces CircleRadiusResidual::places(const ArmAt& at, const Unknowns&,
+                                            const Eigen::VectorXd&) const {
+  const ForwardKinematics kinematics(at.arm);
+  TipLinearisation here;
+  ObservedPlaces places{Eigen::Matrix3Xd(3, count()), Eigen::Matrix3Xd(3, count())};
+  for (Eigen::Index i = 0; i < count(); ++i) {
+    const auto posture = encoder_rad_.col(i);
+    kinematics.linearise({posture.data(), static_cast<std::size_t>(posture.size())}, here);
+    places.point_mm.col(i) = here.tip_mm;
+    places.direction.col(i) =
+        radial_of(here, group().joint[static_cast<std::size_t>(row(i))] - 1).normalized();
+  }
+  return places;
+}
+
 Eigen::MatrixXd CircleRadiusResidual::J_residual_encoders(const ArmModel& arm, const Unknowns&,
                                                           const Eigen::VectorXd&) const {
   const ForwardKinematics kinematics(arm);

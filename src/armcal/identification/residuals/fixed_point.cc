@@ -39,6 +39,11 @@ void FixedPointResidual::fill(const ArmAt& at, const Unknowns& unknowns, const E
   }
 }
 
+ObservedPlaces FixedPointResidual::places(const ArmAt& at, const Unknowns& unknowns,
+                                          const Eigen::VectorXd& x) const {
+  return {point_.all(at, unknowns, x), {}};
+}
+
 Eigen::MatrixXd FixedPointResidual::J_residual_encoders(const ArmModel& arm,
                                                         const Unknowns& unknowns,
                                                         const Eigen::VectorXd& x) const {

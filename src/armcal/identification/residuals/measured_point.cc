@@ -103,8 +103,13 @@ Eigen::Matrix3Xd MeasuredPoint::start(const ArmAt& nominal, Unknowns& unknowns,
     unknowns.set_point(x, *target_, tip_of(nominal.arm) + offset_mm_);
     unknowns[*target_].started = true;
   }
+  return all(nominal, unknowns, x);
+}
+
+Eigen::Matrix3Xd MeasuredPoint::all(const ArmAt& at, const Unknowns& unknowns,
+                                    const Eigen::VectorXd& x) const {
   Eigen::Matrix3Xd points(3, postures_.count());
-  fill(nominal, unknowns, x, 0, postures_.count(), {.tips = points.data()});
+  fill(at, unknowns, x, 0, postures_.count(), {.tips = points.data()});
   return points;
 }
 

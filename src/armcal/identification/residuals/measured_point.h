@@ -37,6 +37,10 @@ class MeasuredPoint {
   void fill(const ArmAt& at, const Unknowns& unknowns, const Eigen::VectorXd& x, Eigen::Index first,
             Eigen::Index count, const TipRows::Target& target) const;
 
+  /// All points, base frame.
+  [[nodiscard]] Eigen::Matrix3Xd all(const ArmAt& at, const Unknowns& unknowns,
+                                     const Eigen::VectorXd& x) const;
+
   [[nodiscard]] MovingPoints moving(const ArmModel& arm, const Unknowns& unknowns,
                                     const Eigen::VectorXd& x,
                                     const Eigen::MatrixXd& encoder_rad) const;

@@ -53,6 +53,12 @@ void PlaneResidual::fill(const ArmAt& at, const Unknowns& unknowns, const Eigen:
   }
 }
 
+ObservedPlaces PlaneResidual::places(const ArmAt& at, const Unknowns& unknowns,
+                                     const Eigen::VectorXd& x) const {
+  const Eigen::Vector3d normal = unknowns.plane(x, plane_).head<3>();
+  return {point_.all(at, unknowns, x), normal.replicate(1, count())};
+}
+
 Eigen::MatrixXd PlaneResidual::J_residual_encoders(const ArmModel& arm, const Unknowns& unknowns,
                                                    const Eigen::VectorXd& x) const {
   const MovingPoints points = point_.moving(arm, unknowns, x, encoders(group().encoder_rad));

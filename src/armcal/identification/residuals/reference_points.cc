@@ -50,6 +50,11 @@ void ReferencePointsResidual::fill(const ArmAt& at, const Unknowns& unknowns,
   }
 }
 
+ObservedPlaces ReferencePointsResidual::places(const ArmAt& at, const Unknowns& unknowns,
+                                               const Eigen::VectorXd& x) const {
+  return {point_.all(at, unknowns, x), {}};
+}
+
 Eigen::MatrixXd ReferencePointsResidual::J_residual_encoders(const ArmModel& arm,
                                                              const Unknowns& unknowns,
                                                              const Eigen::VectorXd& x) const {

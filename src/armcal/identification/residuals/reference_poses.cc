@@ -126,6 +126,14 @@ void ReferencePosesResidual::fill(const ArmAt& at, const Unknowns& unknowns,
   }
 }
 
+ObservedPlaces ReferencePosesResidual::places(const ArmAt& at, const Unknowns& unknowns,
+                                              const Eigen::VectorXd& x) const {
+  ArmModel arm = at.arm;
+  const Eigen::Vector3d on_joint = origin(arm, unknowns, x);
+  arm.tip = {on_joint.x(), on_joint.y(), on_joint.z(), Eigen::Vector3d::Zero()};
+  return {all_tips(TipRows(arm, {}), postures_), {}};
+}
+
 Eigen::MatrixXd ReferencePosesResidual::J_residual_encoders(const ArmModel& arm,
                                                             const Unknowns& unknowns,
                                                             const Eigen::VectorXd& x) const {

@@ -18,6 +18,8 @@ class ReferencePosesResidual : public Residual {
                                    Eigen::VectorXd& x) const override;
   void fill(const ArmAt& at, const Unknowns& unknowns, const Eigen::VectorXd& x, Eigen::Index first,
             Eigen::Index count, const BlockRows& rows) const override;
+  [[nodiscard]] ObservedPlaces places(const ArmAt& at, const Unknowns& unknowns,
+                                      const Eigen::VectorXd& x) const override;
   [[nodiscard]] Eigen::MatrixXd J_residual_encoders(const ArmModel& arm, const Unknowns& unknowns,
                                                     const Eigen::VectorXd& x) const override;
 

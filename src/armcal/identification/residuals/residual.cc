@@ -6,6 +6,10 @@
 
 namespace armcal {
 
+ObservedPlaces Residual::places(const ArmAt&, const Unknowns&, const Eigen::VectorXd&) const {
+  return {};
+}
+
 void Residual::weigh(const ArmModel& arm, const Unknowns& unknowns, const Eigen::VectorXd& x) {
   if (!(group_->u_encoder_rad > 0.0)) return;
   Eigen::VectorXd u_mm(count());
@@ -25,6 +29,12 @@ void Residual::whiten(Eigen::Index first, Eigen::Index count, const BlockRows& r
     double* const from = rows.data + values * k;
     for (double* value = from; value < from + values; ++value) *value *= weight;
   }
+}
+
+double Residual::variance(Eigen::Index i) const {
+  if (whitening_) return whitening_->variance(i);
+  const double u_mm = group_->u_mm(row(i));
+  return static_cast<double>(rows_per_observation()) * u_mm * u_mm;
 }
 
 double Residual::largest_weight(Eigen::Index i) const {

@@ -20,6 +20,16 @@ struct ArmAt {
   TipRows tips;  ///< with the columns of Unknowns
 };
 
+/// Where observations are in space: base frame, one column each.
+struct ObservedPlaces {
+  /// The measured point by the arm (poses: the origin of the target; reversal: before the turn); no
+  /// columns for a kind without one.
+  Eigen::Matrix3Xd point_mm;
+  /// Kinds that compare one number: the unit vector along which moving the point enlarges what the
+  /// arm predicts. No columns for kinds that compare x, y and z.
+  Eigen::Matrix3Xd direction;
+};
+
 /// The observations of one group that share their unknowns: one set-up, one fixed point, one
 /// placement. A kind of reference is one class derived from this, in a file of its own, and a line
 /// in registry.cc.
@@ -56,6 +66,10 @@ class Residual {
   virtual void fill(const ArmAt& at, const Unknowns& unknowns, const Eigen::VectorXd& x,
                     Eigen::Index first, Eigen::Index count, const BlockRows& rows) const = 0;
 
+  /// By default nowhere: lengths are between points, and of no posture.
+  [[nodiscard]] virtual ObservedPlaces places(const ArmAt& at, const Unknowns& unknowns,
+                                              const Eigen::VectorXd& x) const;
+
   /// How the rows, all observations one below the other, move with the encoder readings (mm/rad).
   /// Columns: the readings of one observation, those after a turn behind those before it; none
   /// where the kind has no encoders.
@@ -68,6 +82,9 @@ class Residual {
   void weigh(const ArmModel& arm, const Unknowns& unknowns, const Eigen::VectorXd& x);
   /// Divides filled rows of observations first .. by their uncertainty.
   void whiten(Eigen::Index first, Eigen::Index count, const BlockRows& rows) const;
+  /// Sum of the variances of its rows as they are stated, mm^2: that of the reference and of the
+  /// encoders.
+  [[nodiscard]] double variance(Eigen::Index i) const;
   /// By how much whitening enlarges an error of a row at most, 1/mm.
   [[nodiscard]] double largest_weight(Eigen::Index i) const;
 

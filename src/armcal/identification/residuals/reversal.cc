@@ -39,6 +39,13 @@ void ReversalResidual::fill(const ArmAt& at, const Unknowns& unknowns, const Eig
   }
 }
 
+ObservedPlaces ReversalResidual::places(const ArmAt& at, const Unknowns&,
+                                        const Eigen::VectorXd&) const {
+  ObservedPlaces places{all_tips(at.tips, before_), {}};
+  places.direction = (places.point_mm - all_tips(at.tips, after_)).colwise().normalized();
+  return places;
+}
+
 Eigen::MatrixXd ReversalResidual::J_residual_encoders(const ArmModel& arm, const Unknowns&,
                                                       const Eigen::VectorXd&) const {
   const Eigen::MatrixXd before_rad = encoders(group().encoder_rad);

@@ -63,6 +63,14 @@ void SphereResidual::fill(const ArmAt& at, const Unknowns& unknowns, const Eigen
   }
 }
 
+ObservedPlaces SphereResidual::places(const ArmAt& at, const Unknowns& unknowns,
+                                      const Eigen::VectorXd& x) const {
+  ObservedPlaces places{point_.all(at, unknowns, x), {}};
+  places.direction =
+      (places.point_mm.colwise() - unknowns.point(x, center_)).colwise().normalized();
+  return places;
+}
+
 Eigen::MatrixXd SphereResidual::J_residual_encoders(const ArmModel& arm, const Unknowns& unknowns,
                                                     const Eigen::VectorXd& x) const {
   const MovingPoints points = point_.moving(arm, unknowns, x, encoders(group().encoder_rad));

@@ -43,6 +43,7 @@ Whitening::Whitening(const Eigen::VectorXd& u_mm, double u_encoder_rad,
   for (Eigen::Index i = 0; i < u_mm.size(); ++i) {
     const Eigen::MatrixXd E = u_encoder_rad * J_encoders.middleRows(i * size_, size_);
     append_inverse(cholesky(u_mm(i), E), factors_);
+    variances_.push_back(static_cast<double>(size_) * u_mm(i) * u_mm(i) + E.squaredNorm());
   }
 }
 

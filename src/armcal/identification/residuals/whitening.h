@@ -21,6 +21,10 @@ class Whitening {
 
   /// Whitens rows of observations first .. in place.
   void apply(Eigen::Index first, Eigen::Index count, const BlockRows& rows) const;
+  /// Trace of L L^T of an observation, mm^2.
+  [[nodiscard]] double variance(Eigen::Index observation) const {
+    return variances_[static_cast<std::size_t>(observation)];
+  }
   /// Longest row of L^-1 of an observation, 1/mm.
   [[nodiscard]] double largest_weight(Eigen::Index observation) const;
 
@@ -32,6 +36,7 @@ class Whitening {
 
   Eigen::Index size_;  // rows of one observation
   std::vector<double> factors_;
+  std::vector<double> variances_;
 };
 
 }  // namespace armcal

@@ -57,6 +57,11 @@ double DocumentView::as_number() const {
   return json_->get<double>();
 }
 
+bool DocumentView::as_flag() const {
+  if (!json_->is_boolean()) complain("is neither true nor false");
+  return json_->get<bool>();
+}
+
 std::optional<double> DocumentView::as_number_if() const {
   return json_->is_null() ? std::nullopt : std::optional(as_number());
 }
@@ -77,11 +82,7 @@ std::vector<double> DocumentView::as_numbers() const {
 std::string DocumentView::text(std::string_view key) const { return (*this)[key].as_text(); }
 double DocumentView::number(std::string_view key) const { return (*this)[key].as_number(); }
 
-bool DocumentView::flag(std::string_view key) const {
-  const DocumentView inner = (*this)[key];
-  if (!inner.json_->is_boolean()) inner.complain("is neither true nor false");
-  return inner.json_->get<bool>();
-}
+bool DocumentView::flag(std::string_view key) const { return (*this)[key].as_flag(); }
 
 std::optional<std::string> DocumentView::text_if(std::string_view key) const {
   return has(key) ? std::optional(text(key)) : std::nullopt;

@@ -37,6 +37,7 @@ class DocumentView {
   // The value here itself.
   [[nodiscard]] std::string as_text() const;
   [[nodiscard]] double as_number() const;
+  [[nodiscard]] bool as_flag() const;
   [[nodiscard]] std::optional<double> as_number_if() const;
   [[nodiscard]] std::vector<double> as_numbers() const;
 

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "armcal/report/html/page_html.h"
 
+#include <fmt/format.h>
+
+#include <cctype>
 #include <kainjow/mustache.hpp>
 #include <nlohmann/json.hpp>
 
@@ -9,6 +12,7 @@
 #include "armcal/io/sha256.h"
 #include "armcal/report/document.h"
 #include "armcal/report/html/assets.h"
+#include "armcal/report/html/script_json.h"
 
 namespace armcal {
 namespace {
@@ -19,16 +23,31 @@ constexpr std::string_view kDocumentBegin =
     "<script type=\"application/json\" id=\"armcal-result\">";
 constexpr std::string_view kDocumentEnd = "</script>";
 
+// Control characters as the pictures that Unicode has for them: browsers drop NUL, and a name shall
+// look like what it is.
+Data text_data(const std::string& text) {
+  std::string seen;
+  seen.reserve(text.size());
+  for (const char c : text) {
+    const auto code = static_cast<unsigned char>(c);
+    const bool is_control = (code < 0x20 && c != '\n' && c != '\t' && c != '\r') || code == 0x7f;
+    if (is_control) {
+      seen += "\xe2\x90";  // U+2400 onwards
+      seen += static_cast<char>(code == 0x7f ? 0xa1 : 0x80 + code);
+    } else {
+      seen += c;
+    }
+  }
+  return Data(seen);
+}
+
 // Every key is always there: a name that a template does not find here it would look for further
 // out.
 Data text_or_false(const std::string& text) {
-  return text.empty() ? Data(kainjow::mustache::data::type::bool_false) : Data(text);
+  return text.empty() ? Data(Data::type::bool_false) : text_data(text);
 }
 
-Data boolean(bool value) {
-  using Type = kainjow::mustache::data::type;
-  return Data(value ? Type::bool_true : Type::bool_false);
-}
+Data boolean(bool value) { return Data(value ? Data::type::bool_true : Data::type::bool_false); }
 
 const char* class_of(Tone tone) {
   switch (tone) {
@@ -58,14 +77,16 @@ const char* sign_of(Tone tone) {
   return "";
 }
 
-void set_tone(Data& data, Tone tone) {
+void set_tone(Data& data, Tone tone, const Language& language) {
   data.set("tone", class_of(tone));
   data.set("sign", text_or_false(sign_of(tone)));
+  const bool has_word = tone != Tone::neutral;
+  data.set("tone_word", has_word ? language(fmt::format("tone.{}", class_of(tone))) : "");
 }
 
 Data list_of(const std::vector<std::string>& texts) {
   Data list(Data::type::list);
-  for (const std::string& text : texts) list.push_back(Data(text));
+  for (const std::string& text : texts) list.push_back(text_data(text));
   return list;
 }
 
@@ -74,51 +95,28 @@ Data data_of(const Facts& facts) {
   for (const auto& [name, value] : facts.rows) {
     if (value.empty()) continue;
     Data row;
-    row.set("name", name);
-    row.set("value", value);
+    row.set("name", text_data(name));
+    row.set("value", text_data(value));
     rows.push_back(row);
   }
   return rows;
 }
 
-// JSON inside a script element: nothing in it may end the element or start a comment.
-std::string script_safe(const std::string& json) {
-  std::string safe;
-  safe.reserve(json.size());
-  for (const char c : json) {
-    switch (c) {
-      case '<':
-        safe += "\\u003c";
-        break;
-      case '>':
-        safe += "\\u003e";
-        break;
-      case '&':
-        safe += "\\u0026";
-        break;
-      default:
-        safe += c;
-    }
-  }
-  return safe;
-}
-
-// What script_safe() wrote instead of a character; 0: something else.
-char character_of(std::string_view escape) {
-  return escape == "\\u003c" ? '<' : escape == "\\u003e" ? '>' : escape == "\\u0026" ? '&' : '\0';
-}
-
 // One block as data: the key of its kind, and its own keys under it.
 struct BlockData {
+  const Language& language;
+  const Section& section;
+  int& tables;  // on the page so far
+
   Data operator()(const Headlines& headlines) const {
     Data list(Data::type::list);
     for (const Headline& each : headlines.items) {
       Data item;
-      item.set("label", each.label);
-      item.set("value", each.value);
+      item.set("label", text_data(each.label));
+      item.set("value", text_data(each.value));
       item.set("unit", text_or_false(each.unit));
       item.set("note", text_or_false(each.note));
-      set_tone(item, each.tone);
+      set_tone(item, each.tone, language);
       list.push_back(item);
     }
     Data inner;
@@ -127,14 +125,15 @@ struct BlockData {
   }
   Data operator()(const Paragraph& paragraph) const {
     Data inner;
-    inner.set("text", paragraph.text);
+    inner.set("text", text_data(paragraph.text));
     return kind("paragraph", inner);
   }
   Data operator()(const Notice& notice) const {
     Data inner;
     inner.set("title", text_or_false(notice.title));
     inner.set("lines", list_of(notice.lines));
-    set_tone(inner, notice.tone);
+    inner.set("is_list", boolean(notice.lines.size() > 1));
+    set_tone(inner, notice.tone, language);
     return kind("notice", inner);
   }
   Data operator()(const Facts& facts) const {
@@ -144,20 +143,23 @@ struct BlockData {
   }
   Data operator()(const Verbatim& verbatim) const {
     Data inner;
-    inner.set("text", verbatim.text);
+    inner.set("text", text_data(verbatim.text));
     return kind("verbatim", inner);
   }
   Data operator()(const Table& table) const {
+    ++tables;
     Data columns(Data::type::list);
     for (const TableColumn& each : table.columns) {
       Data column;
-      column.set("title", each.title);
+      column.set("title", text_data(each.title));
       column.set("is_number", boolean(each.is_number));
       columns.push_back(column);
     }
     Data rows(Data::type::list);
     for (std::size_t r = 0; r < table.rows.size(); ++r) rows.push_back(row_data(table, r));
     Data inner;
+    inner.set("id", fmt::format("table-{}", tables));
+    inner.set("name", text_data(table.caption.empty() ? section.title : table.caption));
     inner.set("caption", text_or_false(table.caption));
     inner.set("note", text_or_false(table.note));
     inner.set("columns", columns);
@@ -172,7 +174,7 @@ struct BlockData {
     for (const Figure& each : figures.items) {
       Data item;
       item.set("id", each.id);
-      item.set("title", each.title);
+      item.set("title", text_data(each.title));
       item.set("text", text_or_false(each.text));
       item.set("svg", each.svg);
       item.set("live", text_or_false(script_safe(each.live)));
@@ -194,15 +196,18 @@ struct BlockData {
     block.set(name, inner);
     return block;
   }
-  static Data row_data(const Table& table, std::size_t r) {
+  [[nodiscard]] Data row_data(const Table& table, std::size_t r) const {
     Data cells(Data::type::list);
     for (std::size_t c = 0; c < table.rows[r].size(); ++c) {
       const Cell& each = table.rows[r][c];
       Data cell;
-      cell.set("text", each.text);
-      cell.set("is_number", boolean(c < table.columns.size() && table.columns[c].is_number));
-      cell.set("is_first", boolean(c == 0));
-      set_tone(cell, each.tone);
+      cell.set("text", text_data(each.text));
+      const bool is_number = c < table.columns.size() && table.columns[c].is_number;
+      cell.set("is_number", boolean(is_number));
+      const bool is_header = c == 0 && !is_number;
+      cell.set("is_header", boolean(is_header));
+      cell.set("tag", is_header ? "th" : "td");
+      set_tone(cell, each.tone, language);
       cells.push_back(cell);
     }
     Data row;
@@ -212,14 +217,16 @@ struct BlockData {
   }
 };
 
-Data data_of(const std::vector<Section>& sections) {
+Data data_of(const std::vector<Section>& sections, const Language& language) {
   Data list(Data::type::list);
+  int tables = 0;
   for (const Section& each : sections) {
     Data blocks(Data::type::list);
-    for (const Block& block : each.blocks) blocks.push_back(std::visit(BlockData{}, block));
+    for (const Block& block : each.blocks)
+      blocks.push_back(std::visit(BlockData{language, each, tables}, block));
     Data section;
     section.set("id", each.id);
-    section.set("title", each.title);
+    section.set("title", text_data(each.title));
     section.set("lead", text_or_false(each.lead));
     section.set("blocks", blocks);
     list.push_back(section);
@@ -238,6 +245,35 @@ void set_words(Data& data, const Language& language) {
   data.set("words_for_script", script_safe(for_script.dump()));
 }
 
+// A text of CSS: what could end it, or the style element, is written as a number.
+std::string css_text(std::string_view text) {
+  std::string css = "\"";
+  for (const char c : text) {
+    const auto code = static_cast<unsigned char>(c);
+    const bool is_plain =
+        std::isalnum(code) != 0 || c == ' ' || c == '-' || c == '.' || code >= 0x80;
+    css += is_plain ? std::string(1, c) : fmt::format("\\{:x} ", code);
+  }
+  return css + "\"";
+}
+
+// Number of the report and of the page, in the margin of every page of paper.
+std::string paper_style(const Page& page, const Language& language) {
+  const std::string_view slot = "\x1f";
+  const std::string counted = language("paper.page_of", slot, slot);
+  const std::size_t first = counted.find(slot);
+  const std::size_t second = counted.find(slot, first + 1);
+  const std::string_view text = counted;
+  const std::string number =
+      page.number.empty() ? page.title
+                          : fmt::format("{} {}", language("page.report_number"), page.number);
+  return fmt::format(
+      "@page{{@bottom-left{{content:{}}}@bottom-right{{content:{} counter(page) {} counter(pages) "
+      "{}}}}}",
+      css_text(number), css_text(text.substr(0, first)),
+      css_text(text.substr(first + 1, second - first - 1)), css_text(text.substr(second + 1)));
+}
+
 std::string policy_for(const std::string& script) {
   std::string policy =
       "default-src 'none'; style-src 'unsafe-inline'; img-src data:; font-src data:";
@@ -253,20 +289,22 @@ std::string html_of(const Page& page, const Language& language, const std::strin
   const std::string script(report_asset("report.js"));
   Data data;
   data.set("language", language.code());
-  data.set("title", page.title);
+  data.set("title", text_data(page.title));
   data.set("subtitle", text_or_false(page.subtitle));
   data.set("number", text_or_false(page.number));
   data.set("head", data_of(page.head));
+  data.set("has_head", boolean(!page.head.rows.empty()));
   Data stamp(Data::type::bool_false);
   if (!page.stamp.word.empty()) {
     stamp = Data();
-    stamp.set("word", page.stamp.word);
+    stamp.set("word", text_data(page.stamp.word));
     stamp.set("sentence", text_or_false(page.stamp.sentence));
-    set_tone(stamp, page.stamp.tone);
+    set_tone(stamp, page.stamp.tone, language);
   }
   data.set("stamp", stamp);
-  data.set("sections", data_of(page.sections));
+  data.set("sections", data_of(page.sections, language));
   data.set("style", std::string(report_asset("report.css")));
+  data.set("paper_style", paper_style(page, language));
   data.set("script", text_or_false(script));
   data.set("policy", policy_for(script));
   data.set("version", std::string(kVersion));
@@ -274,10 +312,9 @@ std::string html_of(const Page& page, const Language& language, const std::strin
   // Put in last and by hand: the document may be large, and is no text of the template.
   kainjow::mustache::mustache layout{std::string(report_asset("page.mustache"))};
   std::string html = layout.render(data);
-  const std::string slot = std::string(kDocumentBegin);
-  const std::size_t at = html.find(slot);
+  const std::size_t at = html.rfind(kDocumentBegin);
   if (at == std::string::npos) throw std::logic_error("page.mustache has no place for the result");
-  html.insert(at + slot.size(), script_safe(document));
+  html.insert(at + kDocumentBegin.size(), script_safe(document));
   return html;
 }
 
@@ -287,21 +324,7 @@ std::optional<std::string> document_in_html(std::string_view html) {
   const std::size_t from = begin + kDocumentBegin.size();
   const std::size_t end = html.find(kDocumentEnd, from);
   if (end == std::string_view::npos) return std::nullopt;
-  const std::string_view safe = html.substr(from, end - from);
-  std::string document;
-  document.reserve(safe.size());
-  for (std::size_t i = 0; i < safe.size(); ++i) {
-    if (safe[i] != '\\') {
-      document += safe[i];
-    } else if (const char c = character_of(safe.substr(i, 6)); c != '\0') {
-      document += c;
-      i += 5;
-    } else {  // an escape of the document itself: two characters that belong together
-      document += safe.substr(i, 2);
-      ++i;
-    }
-  }
-  return document;
+  return from_script(html.substr(from, end - from));
 }
 
 }  // namespace armcal

@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: the armcal authors
+// SPDX-License-Identifier: Apache-2.0
+#include "armcal/report/html/page_html.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "armcal/report/document.h"
+
+namespace armcal {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+const std::string kHostile = "<script>alert('1')</script> \"q\" & {{title}} </style> \u202egnp.exe";
+
+// One of every kind of block, the same text in all of its places.
+Page page_of_all_blocks(const std::string& text) {
+  const Table table = {.caption = text,
+                       .columns = {{text, false}, {text}},
+                       .rows = {{{text}, {text, Tone::bad}}, {{text}, {text}}},
+                       .note = text,
+                       .shown = 1};
+  const Figures figures = {{{.id = "drawing",
+                             .title = text,
+                             .text = text,
+                             .svg = "<svg></svg>",
+                             .live = Json{{"kind", text}}.dump()}}};
+  const std::vector<Block> blocks = {Headlines{{{text, text, text, text, Tone::good}}},
+                                     Paragraph{text},
+                                     Notice{Tone::warning, text, {text, text}},
+                                     Notice{Tone::neutral, "", {text}},
+                                     Facts{{{text, text}}},
+                                     table,
+                                     figures,
+                                     Verbatim{text}};
+  return {.title = text,
+          .subtitle = text,
+          .number = text,
+          .stamp = {text, text, Tone::bad},
+          .head = {{{text, text}}},
+          .sections = {{.id = "all", .title = text, .lead = text, .blocks = blocks}}};
+}
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) {
+    ++found;
+  }
+  return found;
+}
+
+std::string html_in(const char* language, const Page& page, const std::string& document = "{}") {
+  return html_of(page, Language::named(language), document);
+}
+
+TEST(PageHtml, HasEveryTextOfThePage) {
+  // Where `text` stands as an element's content, as the title of the window and in an attribute.
+  const std::string html = html_in("en", page_of_all_blocks("one text"));
+  EXPECT_EQ(count(html, "one text"), 38U);
+  EXPECT_THAT(html, HasSubstr("<svg></svg>"));
+}
+
+TEST(PageHtml, IsInTheLanguageOfTheReader) {
+  EXPECT_THAT(html_in("en", page_of_all_blocks("x")), HasSubstr("<html lang=\"en\">"));
+  const std::string chinese = html_in("zh", page_of_all_blocks("x"));
+  EXPECT_THAT(chinese, HasSubstr("<html lang=\"zh\">"));
+  EXPECT_THAT(chinese, HasSubstr("目录"));
+}
+
+TEST(PageHtml, LetsNoTextBecomeMarkup) {
+  const std::string harmless = html_in("en", page_of_all_blocks("x"));
+  const std::string html = html_in("en", page_of_all_blocks(kHostile), Json(kHostile).dump());
+  for (const char* markup : {"<script", "</script", "</style", "<!--"}) {
+    EXPECT_EQ(count(html, markup), count(harmless, markup)) << markup;
+  }
+  EXPECT_EQ(count(html, "<"), count(harmless, "<"));
+  EXPECT_THAT(html, HasSubstr("{{title}}"));
+}
+
+TEST(PageHtml, ShowsControlCharacters) {
+  const std::string html = html_in("en", page_of_all_blocks(std::string("a\0b\x07", 4)));
+  EXPECT_THAT(html, HasSubstr("a␀b␇"));
+  EXPECT_EQ(html.find('\0'), std::string::npos);
+}
+
+TEST(PageHtml, PutsTheNumberOnEveryPageOfPaper) {
+  Page page = page_of_all_blocks("x");
+  page.number = "A-17 \"<\\";
+  EXPECT_THAT(
+      html_in("en", page),
+      HasSubstr(R"(@page{@bottom-left{content:"Report A-17 \22 \3c \5c "})"
+                R"(@bottom-right{content:"Page " counter(page) " of " counter(pages) ""}})"));
+  EXPECT_THAT(html_in("zh", page), HasSubstr("\"第 \" counter(page) \" 页，共 \" counter(pages)"));
+}
+
+TEST(PageHtml, SaysByWordWhatColourSays) {
+  EXPECT_THAT(html_in("en", page_of_all_blocks("x")),
+              HasSubstr(R"(<span class="sign" role="img" aria-label="fails">✗</span> x</td>)"));
+}
+
+TEST(PageHtml, FoldsLongTablesWithoutLosingRows) {
+  Page page = page_of_all_blocks("x");
+  EXPECT_EQ(count(html_in("en", page), "<tr class=\"folded\">"), 1U);
+  EXPECT_EQ(count(html_in("en", page), "<div class=\"table folds\""), 1U);
+  std::get<Table>(page.sections[0].blocks[5]).shown = 2;
+  EXPECT_EQ(count(html_in("en", page), "type=\"checkbox\""), 0U);
+}
+
+TEST(PageHtml, LetsTheBrowserRunOurScriptOnlyAndFetchNothing) {
+  const std::string html = html_in("en", page_of_all_blocks("x"));
+  EXPECT_THAT(html, HasSubstr("default-src &apos;none&apos;"));
+  EXPECT_EQ(count(html, "script-src"), reports_have_scripts() ? 1U : 0U);
+}
+
+TEST(DocumentInHtml, IsWhatWasPutInByteForByte) {
+  const std::vector<std::string> documents = {
+      "{}", "{\"name\":\"</script><script>alert(1)</script>\"}",
+      "{\n  \"a\": \"<!-- & \\\\u003c \\\\\\\\ \\\" \\u0000 \\t\",\n  \"b\": [1.0, -0.0, "
+      "1e-300]\n}\n",
+      Json{{"text", kHostile}, {"backslashes", "\\\\u003c\\"}, {"more", "\\u003e"}}.dump(2)};
+  for (const std::string& document : documents) {
+    const std::string html = html_in("en", page_of_all_blocks(kHostile), document);
+    EXPECT_EQ(document_in_html(html), document);
+  }
+}
+
+TEST(DocumentInHtml, IsNothingInOtherTexts) {
+  EXPECT_EQ(document_in_html(""), std::nullopt);
+  EXPECT_EQ(document_in_html("<html></html>"), std::nullopt);
+  EXPECT_EQ(document_in_html("<script type=\"application/json\" id=\"armcal-result\">{"),
+            std::nullopt);
+}
+
+}  // namespace
+}  // namespace armcal

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: the armcal authors
+// SPDX-License-Identifier: Apache-2.0
+#include "armcal/report/pages/parameter_table.h"
+
+#include <fmt/format.h>
+
+#include "armcal/report/number_format.h"
+#include "armcal/report/pages/shown_number.h"
+
+namespace armcal {
+namespace {
+
+constexpr int kDecimalsOfHeld = 4;
+
+std::vector<Cell> row_of(const DocumentView& parameter, const Language& say) {
+  const ShownUnit shown = shown_unit(parameter.text("name"), parameter.text("unit"));
+  const std::string status = parameter.text("status");
+  const bool held = status == "held";
+  const double u = shown.factor * parameter.number("u");
+  const double nominal = shown.factor * parameter.number("nominal");
+  const double value = shown.factor * parameter.number("value");
+  const int decimals = held ? kDecimalsOfHeld : decimals_for_uncertainty(u);
+  return {{parameter.text("name")},
+          {fixed(nominal, decimals)},
+          {fixed(value, decimals)},
+          {held ? "" : fixed(value - nominal, decimals)},
+          {held ? "" : fixed(u, decimals)},
+          {shown.unit},
+          {say(fmt::format("parameters.status_{}", status))},
+          {held ? "" : fmt::format("{:.0f} %", 100.0 * parameter.number("data_share"))}};
+}
+
+}  // namespace
+
+Table parameter_table(const DocumentView& document, const Language& say) {
+  Table table;
+  table.caption = say("parameters.caption");
+  table.columns = {{say("parameters.name"), false},
+                   {say("parameters.nominal")},
+                   {say("parameters.value")},
+                   {say("parameters.change")},
+                   {say("parameters.u")},
+                   {say("parameters.unit"), false},
+                   {say("parameters.status"), false},
+                   {say("parameters.data_share")}};
+  for (const DocumentView& parameter : document.list("parameters")) {
+    const std::string status = parameter.text("status");
+    if (status != "held" && status != "free" && status != "prior") {
+      parameter["status"].complain("is none of held, free, prior");
+    }
+    if (status == "held" && parameter.number("value") == 0.0) continue;
+    table.rows.push_back(row_of(parameter, say));
+  }
+  table.note = say("parameters.note");
+  return table;
+}
+
+}  // namespace armcal

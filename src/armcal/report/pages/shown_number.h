@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: the armcal authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace armcal {
+
+/// The unit in which people read a parameter of a document: lengths in mm, angles in deg, harmonics
+/// (amplitudes of an error of an encoder) in urad.
+struct ShownUnit {
+  double factor = 1.0;  ///< from the unit of the document
+  std::string unit;
+};
+/// @param unit  of the document: "mm" or "rad"
+[[nodiscard]] ShownUnit shown_unit(std::string_view parameter, std::string_view unit);
+
+/// A count, without decimals.
+[[nodiscard]] std::string whole(double count);
+
+}  // namespace armcal

@@ -1,0 +1,169 @@
+// SPDX-FileCopyrightText: the armcal authors
+// SPDX-License-Identifier: Apache-2.0
+#include "armcal/workflow/pdf_print.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <thread>
+#include <vector>
+
+#include "armcal/core/diagnostics.h"
+
+namespace armcal {
+namespace {
+
+using namespace std::chrono_literals;
+constexpr auto kLongest = 120s;
+
+// A folder that goes when its work is done.
+class WorkFolder {
+ public:
+  WorkFolder() {
+    std::string pattern = (std::filesystem::temp_directory_path() / "armcal-XXXXXX").string();
+    if (mkdtemp(pattern.data()) == nullptr) {
+      throw FileError("cannot make a temporary folder to print from");
+    }
+    path_ = pattern;
+  }
+  ~WorkFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  WorkFolder(const WorkFolder&) = delete;
+  WorkFolder& operator=(const WorkFolder&) = delete;
+
+  [[nodiscard]] std::string file(const char* name) const { return (path_ / name).string(); }
+
+ private:
+  std::filesystem::path path_;
+};
+
+bool can_run(const std::filesystem::path& path) {
+  std::error_code ignored;
+  return std::filesystem::is_regular_file(path, ignored) && access(path.c_str(), X_OK) == 0;
+}
+
+std::string read_all(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+pid_t start(const std::vector<std::string>& words, const std::string& log) {
+  std::vector<char*> arguments;
+  for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
+  arguments.push_back(nullptr);
+  posix_spawn_file_actions_t files;
+  posix_spawn_file_actions_init(&files);
+  posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC,
+                                   0600);
+  posix_spawn_file_actions_adddup2(&files, STDOUT_FILENO, STDERR_FILENO);
+  // A group of its own: its helpers end with it.
+  posix_spawnattr_t manner;
+  posix_spawnattr_init(&manner);
+  posix_spawnattr_setflags(&manner, POSIX_SPAWN_SETPGROUP);
+  pid_t child = 0;
+  const int failed =
+      posix_spawn(&child, words.front().c_str(), &files, &manner, arguments.data(), environ);
+  posix_spawnattr_destroy(&manner);
+  posix_spawn_file_actions_destroy(&files);
+  if (failed != 0) throw FileError(fmt::format("{} cannot be started", words.front()));
+  return child;
+}
+
+void end(pid_t child) {
+  kill(-child, SIGKILL);
+  waitpid(child, nullptr, 0);
+}
+
+// @return its exit status
+int wait_for(pid_t child, const Monitor& monitor) {
+  const auto begin = std::chrono::steady_clock::now();
+  for (;;) {
+    int status = 0;
+    if (waitpid(child, &status, WNOHANG) == child) return status;
+    if (monitor.stop.stop_requested()) {
+      end(child);
+      throw Interrupted();
+    }
+    if (std::chrono::steady_clock::now() - begin > kLongest) {
+      end(child);
+      throw FileError(fmt::format("the browser did not print within {} s", kLongest.count()));
+    }
+    std::this_thread::sleep_for(20ms);
+  }
+}
+
+std::string last_line(const std::string& text) {
+  std::istringstream stream(text);
+  std::string last;
+  for (std::string line; std::getline(stream, line);) {
+    if (!line.empty()) last = line;
+  }
+  return last;
+}
+
+}  // namespace
+
+std::string printing_browser() {
+  if (const char* named = std::getenv("ARMCAL_BROWSER"); named != nullptr && *named != '\0') {
+    if (can_run(named)) return named;
+    throw FileError(fmt::format("ARMCAL_BROWSER names {}, which is no program", named));
+  }
+  const char* path = std::getenv("PATH");
+  constexpr std::array kNames = {"chromium", "chromium-browser", "google-chrome",
+                                 "google-chrome-stable"};
+  for (const char* name : kNames) {
+    std::istringstream folders(path == nullptr ? "" : path);
+    for (std::string folder; std::getline(folders, folder, ':');) {
+      const auto program = std::filesystem::path(folder) / name;
+      if (can_run(program)) return program.string();
+    }
+  }
+  throw FileError(
+      "no Chromium to print with: install it, or open the HTML report in any browser and print it "
+      "from there");
+}
+
+void print_as_pdf(const std::string& html, const std::string& browser, const std::string& pdf_path,
+                  Overwrite overwrite, const Monitor& monitor) {
+  const WorkFolder folder;
+  const std::string page = folder.file("report.html");
+  const std::string pdf = folder.file("report.pdf");
+  const std::string log = folder.file("log");
+  write_file(page, html, Overwrite::refuse);
+  std::vector<std::string> words = {browser,
+                                    "--headless",
+                                    "--disable-gpu",
+                                    "--no-first-run",
+                                    "--disable-extensions",
+                                    "--disable-background-networking",
+                                    "--no-pdf-header-footer",
+                                    "--user-data-dir=" + folder.file("profile"),
+                                    "--print-to-pdf=" + pdf};
+  // Chromium's own sandbox does not start for the superuser (containers); the page is our own and
+  // its policy lets it fetch nothing.
+  if (geteuid() == 0) words.emplace_back("--no-sandbox");
+  words.push_back("file://" + page);
+  const int status = wait_for(start(words, log), monitor);
+  const std::string bytes = read_all(pdf);
+  if (status != 0 || bytes.rfind("%PDF", 0) != 0) {
+    throw FileError(
+        fmt::format("{} did not print the report: {}", browser, last_line(read_all(log))));
+  }
+  write_file(pdf_path, bytes, overwrite);
+}
+
+}  // namespace armcal

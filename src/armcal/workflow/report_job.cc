@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: the armcal authors
+// SPDX-License-Identifier: Apache-2.0
+#include "armcal/workflow/report_job.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "armcal/report/html/page_html.h"
+#include "armcal/report/pages/pages.h"
+
+namespace armcal {
+namespace {
+
+[[noreturn]] void refuse(const std::string& file, const std::string& message) {
+  Diagnostics diagnostics;
+  diagnostics.error({file, 0, 0}, message,
+                    "give what armcal printed with --json, saved with --save, or a report of it");
+  throw InputError(diagnostics);
+}
+
+Json parsed(const std::string& document, const std::string& file) {
+  try {
+    return Json::parse(document);
+  } catch (const Json::parse_error& error) {
+    refuse(file, fmt::format("is not JSON (at byte {})", error.byte));
+  }
+}
+
+}  // namespace
+
+std::string load_result_document(InputFiles& files, const std::string& path) {
+  const auto text = files.text(path, kLargestTable_bytes);
+  files.require_good();
+  const std::size_t first = text->text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
+  if (first == std::string::npos || text->text[first] != '<') return text->text;
+  auto document = document_in_html(text->text);
+  if (!document) refuse(path, "is a web page, but no report of armcal");
+  return std::move(*document);
+}
+
+ReportDetails load_report_details(InputFiles& files, const std::string& path) {
+  const auto text = files.text(path, kLargestConfiguration_bytes);
+  files.require_good();
+  auto details = read_report_details(*text, files.diagnostics());
+  files.require_good();
+  return std::move(*details);
+}
+
+std::string html_report(const std::string& document, const std::string& file,
+                        std::string_view language, const ReportDetails& details) {
+  const Json json = parsed(document, file);
+  const Language& words = Language::named(language);
+  return html_of(page_of(DocumentView(json, file), words, details), words, document);
+}
+
+}  // namespace armcal
