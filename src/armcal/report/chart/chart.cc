@@ -211,8 +211,15 @@ class ChartPicture {
                  "class=\"axis\" stroke=\"currentColor\" stroke-opacity=\".7\"");
     drawing.text(0.5 * (x.from() + x.to()), height_ - 7.0, chart_.x.label,
                  {.anchor = TextAnchor::middle, .most_width = x.to() - x.from()});
-    drawing.text(4.0, 17.0, chart_.y.label, {.most_width = width_ - 8.0});
-    legend_.draw(drawing, 17.0);
+    draw_head(drawing);
+  }
+
+  // The label of y just above its axis; the legend beside it, else above it.
+  void draw_head(SvgDrawing& drawing) const {
+    const double last = 17.0 + ChartLegend::kRowHeight * std::max(0, legend_.rows() - 1);
+    const bool is_beside = legend_.is_beside();
+    drawing.text(4.0, is_beside ? 17.0 : last, chart_.y.label, {.most_width = width_ - 8.0});
+    legend_.draw(drawing, is_beside ? 17.0 : 17.0 - ChartLegend::kRowHeight);
   }
 
   [[nodiscard]] static int ticks_along(const ChartScale& scale, double way) {
