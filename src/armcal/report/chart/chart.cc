@@ -148,6 +148,7 @@ class ChartPicture {
     for (const ChartSeries& series : chart_.series) draw(drawing, series, x, y);
     for (const ChartLine& line : chart_.lines) draw(drawing, line, x, y);
     for (const ChartLine& line : chart_.lines) label(drawing, line, x, y);
+    for (const ChartSeries& series : chart_.series) tag(drawing, series, x, y);
     return drawing.finished(chart_.title, chart_.text, chart_.is_wide ? "wide" : "");
   }
 
@@ -251,6 +252,29 @@ class ChartPicture {
                    bar_attributes(series.style));
     } else {
       drawing.path(line_path(pieces), line_attributes(series.style));
+    }
+  }
+
+  // Beside each dot, where the fewest others are.
+  void tag(SvgDrawing& drawing, const ChartSeries& series, const ChartScale& x,
+           const ChartScale& y) {
+    for (std::size_t i = 0; i < std::min(series.tags.size(), count_of(series)); ++i) {
+      if (!has_place(chart_, series.x[i], series.y[i])) continue;
+      const DrawnPoint at{x.at(series.x[i]), y.at(series.y[i])};
+      const double width = text_width(series.tags[i], kTextSize);
+      std::vector<DrawnBox> boxes;
+      for (const auto& [right, down] :
+           {std::pair{6.0, -8.0}, std::pair{-6.0 - width, -8.0}, std::pair{-0.5 * width, -21.0},
+            std::pair{-0.5 * width, 6.0}}) {
+        const DrawnBox box{at.x + right, at.y + down, at.x + right + width, at.y + down + 15.0};
+        if (box.left >= x.from() && box.right <= width_) boxes.push_back(box);
+      }
+      if (boxes.empty()) continue;
+      const DrawnBox& box = boxes[quiet_.choose(boxes)];
+      drawing.text(box.left, box.bottom - 3.5, series.tags[i], {.style = "tick", .has_halo = true});
+      for (const double part : {0.2, 0.5, 0.8}) {
+        quiet_.add_point(box.left + part * width, 0.5 * (box.top + box.bottom));
+      }
     }
   }
 

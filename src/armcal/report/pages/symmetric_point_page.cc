@@ -79,6 +79,21 @@ Headlines headlines_of(const DocumentView& document, const Language& say) {
   return headlines;
 }
 
+// The document names a length of the same size as "the reading R", "half of R" or "b7 as adjusted".
+std::string said_length(const std::string& name, const Language& say) {
+  constexpr std::string_view kReading = "the reading ";
+  constexpr std::string_view kHalf = "half of ";
+  constexpr std::string_view kAdjusted = " as adjusted";
+  if (name.starts_with(kReading)) {
+    return say("symmetric.equals_reading", name.substr(kReading.size()));
+  }
+  if (name.starts_with(kHalf)) return say("symmetric.equals_half", name.substr(kHalf.size()));
+  if (name.ends_with(kAdjusted)) {
+    return say("symmetric.equals_adjusted", name.substr(0, name.size() - kAdjusted.size()));
+  }
+  return name;
+}
+
 // What a reader has to know, one sentence each.
 std::vector<std::string> findings_of(const DocumentView& document, const Language& say) {
   std::vector<std::string> found;
@@ -97,10 +112,9 @@ std::vector<std::string> findings_of(const DocumentView& document, const Languag
       found.push_back(say("symmetric.claim_against_all", claim.text("name"), claimed,
                           fixed(claim.number("value"), 3)));
     }
-    const auto equals = claim.texts("equals");
-    if (!equals.empty()) {
-      found.back() += say("symmetric.claim_equals", joined(equals, say));
-    }
+    std::vector<std::string> equals;
+    for (const std::string& same : claim.texts("equals")) equals.push_back(said_length(same, say));
+    if (!equals.empty()) found.back() += say("symmetric.claim_equals", joined(equals, say));
   }
   std::vector<std::string> unchecked;
   for (const DocumentView& reading : document.list("readings")) {
