@@ -8,6 +8,7 @@
 #include "armcal/io/sha256.h"
 #include "armcal/report/pages/calibration_page.h"
 #include "armcal/report/pages/comparison_page.h"
+#include "armcal/report/pages/demo_page.h"
 #include "armcal/report/pages/details_sections.h"
 #include "armcal/report/pages/plain_page.h"
 #include "armcal/report/pages/symmetric_point_page.h"
@@ -26,6 +27,7 @@ constexpr std::array kPages = {
     PageKind{"identifiability", identifiability_page},
     PageKind{"symmetric-point", symmetric_point_page},
     PageKind{"compare", comparison_page},
+    PageKind{"demo", demo_page},
 };
 
 Page page_by_command(const DocumentView& document, const Language& say) {
