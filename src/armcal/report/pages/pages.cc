@@ -7,8 +7,10 @@
 
 #include "armcal/io/sha256.h"
 #include "armcal/report/pages/calibration_page.h"
+#include "armcal/report/pages/comparison_page.h"
 #include "armcal/report/pages/details_sections.h"
 #include "armcal/report/pages/plain_page.h"
+#include "armcal/report/pages/symmetric_point_page.h"
 
 namespace armcal {
 namespace {
@@ -22,6 +24,8 @@ struct PageKind {
 constexpr std::array kPages = {
     PageKind{"calibrate", calibration_page},
     PageKind{"identifiability", identifiability_page},
+    PageKind{"symmetric-point", symmetric_point_page},
+    PageKind{"compare", comparison_page},
 };
 
 Page page_by_command(const DocumentView& document, const Language& say) {
