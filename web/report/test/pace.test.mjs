@@ -19,7 +19,8 @@ before(async () => {
   const folder = temporaryFolder();
   const scenario = readFileSync(example("scenarios", "demo.scenario.toml"), "utf8")
     .replace("../wang2016/nominal.arm.toml", example("wang2016", "nominal.arm.toml"))
-    .replace("count = 60", `count = ${POSES}`);
+    .replace("count = 60", `count = ${POSES - 3 * 60 - 60}`)
+    .replace("points = 500", "points = 60");
   writeFileSync(join(folder, "thousand.scenario.toml"), scenario);
   armcal("simulate", join(folder, "thousand.scenario.toml"), "-o", join(folder, "readings"));
   path = join(folder, "thousand.html");
@@ -28,7 +29,7 @@ before(async () => {
 after(() => browser.close());
 
 test(`a report of ${POSES} poses stays small`, () => {
-  assert.ok(embeddedDocument(path).groups.some(({ count }) => count >= POSES));
+  assert.ok(embeddedDocument(path).rows.group.length >= POSES);
   assert.ok(statSync(path).size < MOST_BYTES, `${statSync(path).size} bytes`);
 });
 
