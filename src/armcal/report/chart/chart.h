@@ -51,6 +51,7 @@ struct Chart {
   ChartAxis x, y;
   std::vector<ChartSeries> series;
   std::vector<ChartLine> lines;
+  std::string nothing;        ///< said in the drawing where there is nothing to draw
   bool equal_scales = false;  ///< a millimetre is as long either way
   bool is_wide = false;
 };
