@@ -15,7 +15,7 @@ function(armcal_embed target)
     endif()
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${source})
     file(READ ${source} text)
-    string(APPEND entries "    {\"${path}\",\n     R\"armcal-file(${text})armcal-file\"},\n")
+    string(APPEND entries "    {\"${path}\",\n     R\"armcal-file(${text})armcal-file\"sv},\n")
   endforeach()
   file(CONFIGURE OUTPUT ${output} @ONLY CONTENT
 "// Made by cmake/ArmcalEmbed.cmake from files of the repository. Do not edit.
@@ -25,6 +25,7 @@ function(armcal_embed target)
 
 namespace armcal {
 namespace {
+using namespace std::string_view_literals;  // of a literal: its length need not be counted
 constexpr std::array kFiles = std::to_array<EmbeddedFile>({
 @entries@});
 }  // namespace

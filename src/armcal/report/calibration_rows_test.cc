@@ -118,8 +118,8 @@ TEST_F(CalibratedRows, SayWhenTheyWereRead) {
 }
 
 TEST(CalibrationRows, KeepHostileNamesAndRoundWhatNobodyReads) {
-  ObservationGroup group =
-      empty_group(ReferenceKind::fixed_point, std::string("<script>\"\0\xE2\x80\xAE", 13), 1, 2, 0.1);
+  ObservationGroup group = empty_group(ReferenceKind::fixed_point,
+                                       std::string("<script>\"\0\xE2\x80\xAE", 13), 1, 2, 0.1);
   group.encoder_rad << radians_from_degrees(46.469), radians_from_degrees(-1e-13);
   Calibration calibration;
   RowResidual row;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kWidth = 520.0;
 constexpr double kMargin = 10.0;
-constexpr double kRow = 80.0;                           // two lines of text and a track
+constexpr double kRow = 88.0;                           // two lines of text and a track
 constexpr double kExtraLine = 17.0;                     // for a second value
 constexpr double kTrack = 14.0;                         // height of the track
 constexpr double kMark = 4.6;                           // half of a mark
@@ -174,7 +174,7 @@ class LimitPicture {
     drawing.text(kMargin, top + 15.0, row.name, {.is_bold = true, .most_width = room});
     drawing.text(kMargin, top + 31.0, row.symbol,
                  {.style = "tick", .size = 12.0, .most_width = has_both ? room : 220.0});
-    if (row.mpe > 0.0) draw_track(drawing, row, top + (has_both ? kExtraLine : 0.0) + 38.0);
+    if (row.mpe > 0.0) draw_track(drawing, row, top + (has_both ? kExtraLine : 0.0) + 43.0);
   }
 
   [[nodiscard]] static std::string verdict_of(const LimitedValue& value) {
@@ -184,11 +184,11 @@ class LimitPicture {
   // Mark, value, sign and word, in columns at the right. @return how wide they are
   [[nodiscard]] double write(SvgDrawing& drawing, const LimitedValue& value, bool is_left,
                              double right, double base) const {
-    const double values_right = right - verdicts_ - 12.0;
+    const double values_right = right - verdicts_ - (verdicts_ > 0.0 ? 12.0 : 0.0);
     drawing.text(values_right + 12.0, base, verdict_of(value),
                  {.fill = tone_colour(value.tone), .is_bold = true});
     drawing.text(values_right, base, value.text, {.anchor = TextAnchor::end});
-    const double mark = values_right - text_width(value.text, kTextSize) - 12.0;
+    const double mark = values_right - text_width(value.text, kTextSize) - 13.0;
     draw_mark(drawing, mark, base - 4.5, is_left, tone_colour(value.tone));
     return right - mark + 8.0;
   }

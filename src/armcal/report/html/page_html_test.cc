@@ -105,6 +105,7 @@ TEST(PageHtml, SaysByWordWhatColourSays) {
 TEST(PageHtml, FoldsLongTablesWithoutLosingRows) {
   Page page = page_of_all_blocks("x");
   EXPECT_EQ(count(html_in("en", page), "<tr class=\"folded\">"), 1U);
+  EXPECT_EQ(count(html_in("en", page), "<div class=\"table folds\""), 1U);
   std::get<Table>(page.sections[0].blocks[5]).shown = 2;
   EXPECT_EQ(count(html_in("en", page), "type=\"checkbox\""), 0U);
 }

@@ -5,13 +5,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <map>
+#include <optional>
 
-#include "armcal/core/utc_time.h"
+#include "armcal/core/units.h"
+#include "armcal/report/chart/arm_drawing.h"
 #include "armcal/report/chart/chart.h"
+#include "armcal/report/chart/coverage_strips.h"
+#include "armcal/report/chart/heat_map.h"
 #include "armcal/report/chart/histogram.h"
+#include "armcal/report/chart/interval_chart.h"
 #include "armcal/report/number_format.h"
+#include "armcal/report/pages/arm_of.h"
 #include "armcal/report/pages/shown_number.h"
 
 namespace armcal {
@@ -19,6 +25,10 @@ namespace {
 
 constexpr int kFitStyle = 0;
 constexpr int kCheckStyle = 1;
+
+Eigen::VectorXd as_column(const std::vector<double>& values) {
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
 
 // Residuals (lengths) of fitted and of held-out rows over something that a row may have.
 template <typename Abscissa>
@@ -75,22 +85,18 @@ Figure over_reach(const std::vector<ResidualRow>& rows, const Language& say) {
 
 // Hours since the first reading.
 std::optional<Figure> over_time(const std::vector<ResidualRow>& rows, const Language& say) {
-  std::vector<std::optional<double>> hours(rows.size());
-  std::optional<double> first;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (!rows[i].time) continue;
-    if (const auto seconds = parse_utc_time(*rows[i].time)) {
-      hours[i] = static_cast<double>(*seconds) / 3600.0;
-      first = std::min(first.value_or(*hours[i]), *hours[i]);
-    }
+  std::optional<double> first_s;
+  for (const ResidualRow& row : rows) {
+    if (row.time_s) first_s = std::min(first_s.value_or(*row.time_s), *row.time_s);
   }
-  if (!first) return std::nullopt;
+  if (!first_s) return std::nullopt;
   Chart chart;
   chart.id = "residual-time";
   chart.title = say("figures.over_time");
   chart.x.label = say("figures.time_axis");
-  add_residuals(chart, rows, say, [&](const ResidualRow&, std::size_t i) {
-    return hours[i] ? std::optional(*hours[i] - *first) : std::nullopt;
+  add_residuals(chart, rows, say, [&](const ResidualRow& row, std::size_t) {
+    constexpr double kSecondsPerHour = 3600.0;
+    return row.time_s ? std::optional((*row.time_s - *first_s) / kSecondsPerHour) : std::nullopt;
   });
   return figure_of(chart);
 }
@@ -142,7 +148,195 @@ Figure quantile_figure(const std::vector<double>& components, const Language& sa
       components));
 }
 
+std::vector<double> values_of(const std::vector<ResidualRow>& rows, std::size_t joint,
+                              bool is_check) {
+  std::vector<double> values;
+  for (const ResidualRow& row : rows) {
+    if (row.is_check == is_check && joint < row.q_deg.size()) values.push_back(row.q_deg[joint]);
+  }
+  return values;
+}
+
+Figure joint_coverage(const ArmModel& arm, const std::vector<ResidualRow>& rows,
+                      const Language& say) {
+  CoverageStrips strips;
+  strips.id = "coverage-joints";
+  strips.title = say("figures.joint_coverage");
+  strips.text = say("figures.joint_coverage_text");
+  strips.nothing = say("figures.nothing");
+  strips.axis = say("figures.encoder_axis");
+  strips.fit = say("calibration.set_fit");
+  strips.check = say("calibration.set_check");
+  strips.span = say("figures.span");
+  for (std::size_t joint = 0; joint < arm.joints.size(); ++joint) {
+    strips.joints.push_back({say("figures.joint", joint + 1),
+                             degrees_from_radians(arm.joints[joint].min_rad),
+                             degrees_from_radians(arm.joints[joint].max_rad),
+                             values_of(rows, joint, false), values_of(rows, joint, true)});
+  }
+  return figure_of(strips);
+}
+
+Eigen::Matrix3Xd tips_of(const std::vector<ResidualRow>& rows, bool is_check) {
+  Eigen::Matrix3Xd tips(3, static_cast<Eigen::Index>(rows.size()));
+  Eigen::Index count = 0;
+  for (const ResidualRow& row : rows) {
+    if (row.is_check == is_check && row.tip_mm) tips.col(count++) = *row.tip_mm;
+  }
+  return tips.leftCols(count);
+}
+
+Figures volume_coverage(const std::vector<ResidualRow>& rows, const Language& say) {
+  ReachedPoints points;
+  points.id = "coverage-volume";
+  points.top_title = say("figures.volume_top");
+  points.side_title = say("figures.volume_side");
+  points.text = say("figures.volume_text");
+  points.nothing = say("figures.nothing");
+  points.x = say("figures.x_axis");
+  points.y = say("figures.y_axis");
+  points.z = say("figures.z_axis");
+  points.fit = say("calibration.set_fit");
+  points.check = say("calibration.set_check");
+  points.fit_mm = tips_of(rows, false);
+  points.check_mm = tips_of(rows, true);
+  Figures figures;
+  for (const Chart& chart : views_of(points)) figures.items.push_back(figure_of(chart));
+  return figures;
+}
+
+// Of free parameters, from their covariance.
+Figure correlations(const DocumentView& document, const Language& say) {
+  HeatMap map;
+  map.id = "correlations";
+  map.title = say("figures.correlations");
+  map.text = say("figures.correlations_text");
+  map.nothing = say("figures.no_parameters");
+  map.key_label = say("figures.correlation_key");
+  map.largest = 1.0;
+  map.rows = map.columns = document.texts("covariance_of");
+  const auto size = static_cast<Eigen::Index>(map.rows.size());
+  const std::vector<DocumentView> covariance = document.list("covariance");
+  if (covariance.size() != map.rows.size()) {
+    document["covariance"].complain("has not as many rows as covariance_of has names");
+  }
+  Eigen::MatrixXd values(size, size);
+  for (Eigen::Index i = 0; i < size; ++i) {
+    const DocumentView& row = covariance[static_cast<std::size_t>(i)];
+    const std::vector<double> numbers = row.as_numbers();
+    if (static_cast<Eigen::Index>(numbers.size()) != size) row.complain("has another length");
+    values.row(i) = Eigen::Map<const Eigen::RowVectorXd>(numbers.data(), size);
+  }
+  const Eigen::VectorXd u = values.diagonal().cwiseSqrt();
+  map.values = values.array() / (u * u.transpose()).array();
+  return figure_of(map);
+}
+
+std::optional<Figure> convergence(const DocumentView& document, const Language& say) {
+  if (!document.has("convergence")) return std::nullopt;
+  Chart chart;
+  chart.id = "convergence";
+  chart.title = say("figures.convergence");
+  chart.text = say("figures.convergence_text");
+  chart.nothing = say("figures.nothing");
+  chart.x.label = say("figures.step_axis");
+  chart.x.low = 0.0;
+  chart.y.label = say("figures.cost_axis");
+  chart.y.scale = AxisScale::logarithmic;
+  double step = 0.0;
+  for (const DocumentView& solution : document.list("convergence")) {
+    ChartSeries series;
+    series.name =
+        say(solution.text("stage") == "geometry" ? "figures.stage_geometry" : "figures.stage_all",
+            chart.series.size() + 1);
+    series.mark = Mark::line;
+    series.style = static_cast<int>(chart.series.size());
+    for (const double cost : solution.numbers("costs")) {
+      series.x.push_back(step++);
+      series.y.push_back(cost);
+    }
+    chart.series.push_back(std::move(series));
+  }
+  return figure_of(chart);
+}
+
 }  // namespace
+
+Section arm_section(const DocumentView& document, const std::vector<ResidualRow>& rows,
+                    const Language& say) {
+  ArmDrawing drawing;
+  drawing.id = "arm-in-space";
+  drawing.scene.arm = arm_of(document, "arm");
+  if (document.has("nominal_arm")) drawing.scene.nominal = arm_of(document, "nominal_arm");
+  double largest = -1.0;
+  for (const ResidualRow& row : rows) {
+    if (row.q_deg.empty()) continue;
+    if (row.residual_mm > largest) {
+      largest = row.residual_mm;
+      drawing.shown = drawing.scene.postures.size();
+    }
+    drawing.scene.postures.push_back({row.place, as_column(row.q_deg) * radians_from_degrees(1.0),
+                                      row.residual_vector_mm, row.is_check});
+  }
+  drawing.scene.enlargement = nice_enlargement(drawing.scene);
+  const std::string enlargement = fmt::format("{:g}", drawing.scene.enlargement);
+  drawing.title = say("arm.drawing", enlargement);
+  drawing.text = say("arm.drawing_text");
+  drawing.nothing = say("figures.nothing");
+  drawing.fit = say("calibration.set_fit");
+  drawing.check = say("calibration.set_check");
+  Section section{"arm", say("arm.title"), say("arm.lead"), {}};
+  section.blocks.emplace_back(Figures{{figure_of(drawing)}});
+  return section;
+}
+
+Section coverage_section(const DocumentView& document, const std::vector<ResidualRow>& rows,
+                         const Language& say) {
+  Section section{"coverage", say("coverage.title"), say("coverage.lead"), {}};
+  Figures joints;
+  joints.items.push_back(joint_coverage(arm_of(document, "arm"), rows, say));
+  section.blocks.emplace_back(std::move(joints));
+  section.blocks.emplace_back(volume_coverage(rows, say));
+  return section;
+}
+
+Figures parameter_changes(const DocumentView& document, const Language& say) {
+  IntervalChart chart;
+  chart.id = "changes";
+  chart.title = say("figures.changes");
+  chart.text = say("figures.changes_text");
+  chart.nothing = say("figures.no_parameters");
+  chart.estimated = say("figures.estimated");
+  chart.held = say("figures.held");
+  std::map<std::string, IntervalGroup> groups;
+  for (const DocumentView& parameter : document.list("parameters")) {
+    if (parameter.text("status") == "held") continue;
+    const ShownUnit shown = shown_unit(parameter.text("name"), parameter.text("unit"));
+    const double u = shown.factor * parameter.number("u");
+    const double change = shown.factor * (parameter.number("value") - parameter.number("nominal"));
+    IntervalGroup& group = groups[shown.unit];
+    group.label = say("figures.change_axis", shown.unit);
+    group.rows.push_back({parameter.text("name"), change, 2.0 * u,
+                          fixed(change, decimals_for_uncertainty(u)), false});
+  }
+  for (auto& [unit, group] : groups) chart.groups.push_back(std::move(group));
+  return {{figure_of(chart)}};
+}
+
+Section numerics_section(const DocumentView& document, const Language& say) {
+  Section section{"numerics", say("numerics.title"), say("numerics.lead"), {}};
+  section.blocks.emplace_back(Facts{
+      {{say("numerics.termination"), document.text("termination")},
+       {say("numerics.iterations"), whole(document.number("iterations"))},
+       {say("numerics.chi_squared"), fmt::format("{:.6g}", document.number("chi2"))},
+       {say("numerics.degrees_of_freedom"), whole(document.number("dof"))},
+       {say("numerics.probability"), fmt::format("{:.2g}", document.number("chi2_probability"))}}});
+  Figures figures;
+  figures.items.push_back(correlations(document, say));
+  if (auto figure = convergence(document, say)) figures.items.push_back(std::move(*figure));
+  section.blocks.emplace_back(std::move(figures));
+  return section;
+}
 
 Figures residual_figures(const std::vector<ResidualRow>& rows, const Language& say) {
   Figures figures;

@@ -17,13 +17,11 @@ namespace armcal {
                                   const std::vector<ResidualRow>& rows, const Language& say);
 
 /// Residuals against each joint angle, reach, order or time, as histogram and normal quantiles.
-[[nodiscard]] Figures residual_figures(const std::vector<ResidualRow>& rows,
-                                       const Language& say);
+[[nodiscard]] Figures residual_figures(const std::vector<ResidualRow>& rows, const Language& say);
 
 /// Which part of joint space and of the volume the readings cover.
 [[nodiscard]] Section coverage_section(const DocumentView& document,
-                                       const std::vector<ResidualRow>& rows,
-                                       const Language& say);
+                                       const std::vector<ResidualRow>& rows, const Language& say);
 
 /// Change of each parameter in units of its uncertainty.
 [[nodiscard]] Figures parameter_changes(const DocumentView& document, const Language& say);

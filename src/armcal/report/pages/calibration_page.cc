@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "armcal/report/number_format.h"
 #include "armcal/report/pages/calibration_figures.h"
@@ -86,11 +87,10 @@ Headlines headlines_of(const Quality& quality, const DocumentView& document, con
                              say("calibration.sigma0_note", document.number("dof")),
                              quality.scatters_more ? Tone::warning : Tone::neutral});
   if (quality.coverage) {
-    headlines.items.push_back({say("calibration.coverage"), fixed(100.0 * *quality.coverage, 1),
-                               "%",
-                               say("calibration.coverage_note", fixed(100.0 * kPromised, 0),
-                                   document["check_count"].as_number()),
-                               quality.model_too_small ? Tone::warning : Tone::neutral});
+    headlines.items.push_back(
+        {say("calibration.coverage"), fixed(100.0 * *quality.coverage, 1), "%",
+         say("calibration.coverage_note", fixed(100.0 * kPromised, 0), quality.check.count),
+         quality.model_too_small ? Tone::warning : Tone::neutral});
   }
   return headlines;
 }
@@ -141,16 +141,34 @@ Section summary_section(const DocumentView& document, const Quality& quality, co
   return section;
 }
 
-// Two languages say it from the combination; other reasons stand as the document words them.
+// Names of what moves readings alike, the strongest first, as `describe` of arm/estimability does.
+std::string strongest_names(const DocumentView& combination, const std::string& held,
+                            const Language& say) {
+  constexpr double kNegligible = 1e-3;
+  constexpr std::size_t kNamed = 4;
+  std::vector<std::pair<double, std::string>> parts;
+  double largest = 0.0;
+  for (const auto& [name, weight] : combination.json().items()) {
+    if (name == held) continue;
+    parts.emplace_back(std::abs(combination.number(name)), name);
+    largest = std::max(largest, parts.back().first);
+  }
+  std::erase_if(parts, [&](const auto& part) { return !(part.first > kNegligible * largest); });
+  std::stable_sort(parts.begin(), parts.end(),
+                   [](const auto& one, const auto& other) { return one.first > other.first; });
+  std::string names;
+  for (std::size_t i = 0; i < std::min(kNamed, parts.size()); ++i) {
+    names += fmt::format("{}{}", i > 0 ? say("calibration.name_separator") : "", parts[i].second);
+  }
+  if (parts.size() > kNamed) names = say("calibration.and_more", names, parts.size() - kNamed);
+  return names;
+}
+
+// Both languages say it from the combination; other reasons stand as the document words them.
 std::string unseen_text(const DocumentView& direction, const Language& say) {
   const std::string held = direction.text("held");
-  std::string like;
-  for (const auto& [name, weight] : direction["combination"].json().items()) {
-    if (name == held) continue;
-    like += fmt::format("{}{}", like.empty() ? "" : ", ", name);
-  }
-  return like.empty() ? say("calibration.unseen_other", direction.text("description"))
-                      : say("calibration.unseen_like", held, like);
+  const std::string like = strongest_names(direction["combination"], held, say);
+  return like.empty() ? direction.text("description") : say("calibration.unseen_like", held, like);
 }
 
 Section unseen_section(const DocumentView& document, const Language& say) {

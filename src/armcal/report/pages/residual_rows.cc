@@ -6,6 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "armcal/core/utc_time.h"
+
 namespace armcal {
 namespace {
 
@@ -18,6 +20,14 @@ std::optional<Eigen::Vector3d> vector_if(const DocumentView& entry) {
 
 std::vector<double> numbers_if(const DocumentView& entry) {
   return entry.json().is_null() ? std::vector<double>() : entry.as_numbers();
+}
+
+// ISO 8601, or plain seconds.
+std::optional<double> time_if(const DocumentView& entry) {
+  if (!entry.json().is_string()) return entry.as_number_if();
+  const auto time = parse_fractional_utc_time(entry.as_text());
+  if (!time) entry.complain("is no time");
+  return time;
 }
 
 // A column with as many entries as there are rows.
@@ -55,7 +65,7 @@ std::vector<ResidualRow> residual_rows(const DocumentView& document) {
     row.residual_mm = residual[i].as_number();
     row.normalised = normalised[i].as_number();
     row.u_mm = u[i].as_number();
-    if (!time[i].json().is_null()) row.time = time[i].as_text();
+    row.time_s = time_if(time[i]);
     row.q_deg = numbers_if(q[i]);
     row.tip_mm = vector_if(tip[i]);
     row.residual_vector_mm = vector_if(vector[i]);

@@ -19,7 +19,7 @@ struct ResidualRow {
   double residual_mm = 0.0;
   double normalised = 0.0;
   double u_mm = 0.0;
-  std::optional<std::string> time;        ///< ISO 8601, as given
+  std::optional<double> time_s;           ///< since 1970, or since a start that all rows share
   std::vector<double> q_deg;              ///< encoder readings; empty where the row has no posture
   std::optional<Eigen::Vector3d> tip_mm;  ///< in the base frame
   std::optional<Eigen::Vector3d> residual_vector_mm;  ///< in the base frame

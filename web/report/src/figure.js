@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: the armcal authors
+// SPDX-License-Identifier: Apache-2.0
+import { element } from "./element.js";
+
+// Gives each figure that has something to play with its live view, once it comes near the screen: a report of many
+// figures opens as fast as one of few. The drawing stays for paper.
+export function enliven(makers) {
+  const observer = new IntersectionObserver(
+    (entries) => {
+      for (const { target, isIntersecting } of entries) {
+        if (!isIntersecting) continue;
+        observer.unobserve(target);
+        make(target, makers);
+      }
+    },
+    { rootMargin: "400px" },
+  );
+  for (const script of document.querySelectorAll("figure > script.live")) observer.observe(script.parentElement);
+}
+
+function make(figure, makers) {
+  const model = JSON.parse(figure.querySelector(":scope > script.live").textContent);
+  makers[model.kind]?.(figure, model);
+}
+
+// The place of a live view. The figure shows it in place of the drawing from show() on.
+export function livePlace(figure) {
+  const place = element("div", { class: "live-view" });
+  figure.querySelector(":scope > .drawing").after(place);
+  return { place, show: () => figure.classList.add("is-live") };
+}

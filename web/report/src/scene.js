@@ -1,0 +1,246 @@
+// SPDX-FileCopyrightText: the armcal authors
+// SPDX-License-Identifier: Apache-2.0
+// The arm in space, to be turned by its joints: built from the model alone, drawn only when something has changed.
+import { AmbientLight, Color, DirectionalLight, HemisphereLight, MeshStandardMaterial, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from "three";
+import { OrbitControls } from "three/addons/controls/OrbitControls.js";
+import { element } from "./element.js";
+import { livePlace } from "./figure.js";
+import { postureOf } from "./kinematics.js";
+import { fixedText, numberText } from "./number_text.js";
+import { ArmBody } from "./scene_arm.js";
+import { panelOf } from "./scene_panel.js";
+import { Measured } from "./scene_postures.js";
+import { artefactsOf, axesOf, groundOf, roundLength } from "./scene_world.js";
+import { colour, onThemeChange } from "./theme.js";
+import { say } from "./words.js";
+
+const INKS = { joint: "--scene-joint", link: "--scene-link", tip: "--ink", fit: "--series-0", check: "--series-1", artefact: "--series-2" };
+
+function hasWebGL() {
+  try {
+    return Boolean(document.createElement("canvas").getContext("webgl2"));
+  } catch {
+    return false;
+  }
+}
+
+export function liveScene(figure, model) {
+  if (!hasWebGL()) {
+    figure.append(element("p", { class: "note" }, say("no_webgl")));
+    return { id: figure.id, missing: true };
+  }
+  return new LiveScene(figure, model).api();
+}
+
+class LiveScene {
+  constructor(figure, model) {
+    this.figure = figure;
+    this.model = model;
+    this.q_deg = this.first();
+    this.measure();
+    this.furnish();
+    this.layOut();
+    this.listen();
+    this.paint();
+    this.reset();
+  }
+
+  api() {
+    return {
+      id: this.figure.id,
+      element: this.place,
+      tip: () => [...this.posture.tip_mm],
+      tipOf: (q_deg) => postureOf(this.model.arm, q_deg).tip_mm,
+      joints: () => [...this.q_deg],
+      setJoint: (i, deg) => this.turn(i, deg),
+      setPosture: (index) => this.choose(index),
+      postures: this.model.postures,
+      frames: () => this.renderer.info.render.frame,
+    };
+  }
+
+  // The posture that it begins with: the middle one measured, else zeros within limits.
+  first() {
+    const { postures, arm } = this.model;
+    if (postures.length > 0) return [...postures[Math.floor(postures.length / 2)].q_deg];
+    return arm.joints.map(({ min_deg, max_deg }) => Math.min(Math.max(0, min_deg ?? 0), max_deg ?? 0));
+  }
+
+  // How large everything is, and where its middle lies.
+  measure() {
+    this.posture = postureOf(this.model.arm, this.q_deg);
+    const places = [
+      [0, 0, 0],
+      ...this.posture.joints.flatMap(({ corners }) => corners),
+      ...this.model.postures.map(({ tip_mm }) => tip_mm),
+      ...this.model.artefacts.flatMap(({ kind, at_mm, to_mm }) => (kind === "bar" ? [at_mm, to_mm] : [at_mm])),
+    ];
+    const low = [0, 1, 2].map((k) => places.reduce((least, p) => Math.min(least, p[k]), Infinity));
+    const high = [0, 1, 2].map((k) => places.reduce((most, p) => Math.max(most, p[k]), -Infinity));
+    this.middle = new Vector3(...low.map((v, k) => (v + high[k]) / 2));
+    this.size = Math.max(1, Math.hypot(...low.map((v, k) => high[k] - v)));
+    this.around = Math.max(Math.abs(low[0]), Math.abs(low[1]), high[0], high[1]);
+    this.spacing = roundLength(this.size / 8);
+  }
+
+  furnish() {
+    const { model, size } = this;
+    this.materials = Object.fromEntries(Object.keys(INKS).map((name) => [name, new MeshStandardMaterial({ roughness: 0.55, metalness: 0.05 })]));
+    Object.assign(this.materials.artefact, { transparent: true, opacity: 0.75 });
+    this.scene = new Scene();
+    this.arm = new ArmBody(model.arm.joints.length, size, this.materials);
+    this.measured = new Measured(model.postures, size * 0.004, this.materials);
+    this.measured.enlarge(model.enlargement || 1);
+    this.scene.add(new AmbientLight(0xffffff, 0.7), new HemisphereLight(0xffffff, 0x888888, 1.4));
+    const sun = new DirectionalLight(0xffffff, 1.6);
+    sun.position.set(1, -1.5, 2.5);
+    this.scene.add(sun, this.arm.group, this.measured.group, artefactsOf(model.artefacts, size * 0.008, this.materials.artefact));
+    this.arm.take(this.posture);
+    this.camera = new PerspectiveCamera(35, 1, size / 100, size * 20);
+    this.camera.up.set(0, 0, 1);
+  }
+
+  layOut() {
+    const title = this.figure.querySelector("figcaption h3").textContent;
+    this.renderer = new WebGLRenderer({ antialias: true, alpha: true });
+    this.canvas = this.renderer.domElement;
+    for (const [key, value] of Object.entries({ tabindex: 0, role: "application", "aria-label": title, "aria-description": say("scene_keys") })) {
+      this.canvas.setAttribute(key, value);
+    }
+    this.readout = element("p", { class: "readout" });
+    this.panel = panelOf(this.model, this.q_deg, {
+      turn: (i, deg) => this.turn(i, deg, false),
+      choose: (index) => this.choose(index, false),
+      enlarge: (factor) => {
+        this.measured.enlarge(factor);
+        this.draw();
+      },
+    });
+    this.button = element("button", { type: "button", class: "reset" }, say("reset_view"));
+    const { place, show } = livePlace(this.figure);
+    this.place = place;
+    this.view = element("div", { class: "view" }, this.canvas, this.button, this.readout);
+    place.classList.add("scene");
+    place.append(this.view, this.panel.element, this.legend());
+    show();
+    this.controls = new OrbitControls(this.camera, this.canvas);
+    this.controls.enableZoom = false; // until it is asked for: the wheel scrolls the page
+    this.canvas.style.touchAction = "pan-y";
+  }
+
+  legend() {
+    const has = (check) => this.model.postures.some((posture) => posture.check === check);
+    const item = (mark, style, text) => element("li", {}, element("span", { class: `mark s${style}`, "aria-hidden": "true" }, mark), text);
+    return element(
+      "ul",
+      { class: "legend" },
+      ...(has(false) ? [item("●", 0, say("fit_rows"))] : []),
+      ...(has(true) ? [item("◆", 1, say("check_rows"))] : []),
+      ...(this.model.artefacts.length > 0 ? [item("■", 2, say("artefacts"))] : []),
+      element("li", {}, `${say("grid")} ${numberText(this.spacing)} mm`),
+    );
+  }
+
+  listen() {
+    this.controls.addEventListener("change", () => this.draw());
+    this.canvas.addEventListener("pointerdown", () => (this.controls.enableZoom = true));
+    this.canvas.addEventListener("pointerleave", () => (this.controls.enableZoom = false));
+    this.canvas.addEventListener("dblclick", () => this.reset());
+    this.canvas.addEventListener("keydown", (event) => this.onKey(event));
+    this.button.addEventListener("click", () => this.reset());
+    new ResizeObserver(() => this.draw()).observe(this.view);
+    onThemeChange(() => this.paint());
+  }
+
+  turn(i, deg, tellPanel = true) {
+    this.q_deg[i] = deg;
+    this.move(tellPanel);
+  }
+
+  choose(index, tellPanel = true) {
+    if (index < 0) return;
+    this.q_deg = [...this.model.postures[index].q_deg];
+    this.move(true, this.model.postures[index]);
+    if (tellPanel) this.panel.showPosture(index);
+  }
+
+  move(tellPanel, chosen = null) {
+    this.posture = postureOf(this.model.arm, this.q_deg);
+    this.arm.take(this.posture);
+    if (tellPanel) this.panel.showJoints(this.q_deg);
+    this.say(chosen);
+    this.draw();
+  }
+
+  // The tip in numbers, the residual of a measured posture, and how far the nominal arm would miss.
+  say(chosen = null) {
+    const { tip_mm } = this.posture;
+    const lines = [`${say("tip")} ${tip_mm.map((v) => fixedText(v, 3)).join("  ")} mm`];
+    if (chosen?.residual_mm) lines.push(`${say("residual")} ${fixedText(Math.hypot(...chosen.residual_mm), 4)} mm`);
+    if (this.model.nominal) {
+      const nominal = postureOf(this.model.nominal, this.q_deg).tip_mm;
+      lines.push(`${say("nominal_differs")} ${fixedText(Math.hypot(...nominal.map((v, k) => v - tip_mm[k])), 3)} mm`);
+    }
+    this.readout.replaceChildren(...lines.map((line) => element("span", {}, line)));
+  }
+
+  reset() {
+    const away = this.size * 1.35;
+    this.controls.target.copy(this.middle);
+    this.camera.position.copy(this.middle).add(new Vector3(0.55, -0.75, 0.42).normalize().multiplyScalar(away));
+    this.controls.update();
+    this.say();
+    this.draw();
+  }
+
+  onKey(event) {
+    const turns = { ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, -0.1], ArrowDown: [0, 0.1] };
+    const factors = { "+": 0.85, "-": 1 / 0.85 };
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    const way = new Vector3().subVectors(this.camera.position, this.controls.target);
+    if (turns[event.key]) {
+      const [around, over] = turns[event.key];
+      const side = new Vector3().crossVectors(this.camera.up, way).normalize();
+      const tilted = way.clone().applyAxisAngle(side, over);
+      if (tilted.angleTo(this.camera.up) > 0.05 && tilted.angleTo(this.camera.up) < 3.09) way.copy(tilted);
+      way.applyAxisAngle(this.camera.up, around);
+    } else if (factors[event.key]) {
+      way.multiplyScalar(factors[event.key]);
+    } else if (event.key === "Escape") {
+      this.reset();
+      return;
+    } else {
+      return;
+    }
+    event.preventDefault();
+    this.camera.position.addVectors(this.controls.target, way);
+    this.controls.update();
+    this.draw();
+  }
+
+  // The colours of the theme.
+  paint() {
+    for (const [name, ink] of Object.entries(INKS)) this.materials[name].color.set(colour(ink));
+    const ink = new Color(colour("--muted"));
+    const lines = new Color(colour("--grid"));
+    if (this.drawn) this.scene.remove(...this.drawn);
+    this.drawn = [groundOf(this.around, this.spacing, lines), axesOf(this.size * 0.16, `#${ink.getHexString()}`)];
+    this.scene.add(...this.drawn);
+    this.draw();
+  }
+
+  draw() {
+    if (this.isWaiting) return;
+    this.isWaiting = true;
+    requestAnimationFrame(() => {
+      this.isWaiting = false;
+      const { clientWidth: width, clientHeight: height } = this.view;
+      if (width === 0 || height === 0) return; // on paper
+      this.renderer.setPixelRatio(devicePixelRatio);
+      this.renderer.setSize(width, height, false);
+      this.camera.aspect = width / height;
+      this.camera.updateProjectionMatrix();
+      this.renderer.render(this.scene, this.camera);
+    });
+  }
+}

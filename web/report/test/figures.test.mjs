@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: the armcal authors
+// SPDX-License-Identifier: Apache-2.0
+import assert from "node:assert/strict";
+import { createRequire } from "node:module";
+import { readFileSync } from "node:fs";
+import { after, before, test } from "node:test";
+import { openBrowser, openReport, showAllFigures } from "./browser.mjs";
+import { reportsOf } from "./reports.mjs";
+
+const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
+const WIDTHS = [1280, 768, 390]; // px
+const reports = reportsOf();
+let browser;
+before(async () => (browser = await openBrowser()));
+after(() => browser.close());
+
+async function seriousViolations(page) {
+  await page.evaluate(axe);
+  const { violations } = await page.evaluate(() => axe.run({ resultTypes: ["violations"] }));
+  return violations
+    .filter(({ impact }) => ["serious", "critical"].includes(impact))
+    .map(({ id, nodes }) => `${id}: ${nodes.slice(0, 3).map((node) => `${node.html.slice(0, 160)} (${node.failureSummary})`).join("; ")}`);
+}
+
+// Drawings without marks, and live charts and scenes of one colour.
+async function emptyFigures(page) {
+  const drawings = await page.locator("figure .drawing").evaluateAll((all) =>
+    all
+      .filter((drawing) => !drawing.querySelector("svg")?.querySelector("path, rect, circle, line, polygon, polyline, text"))
+      .map((drawing) => `drawing of ${drawing.closest("figure").id}`),
+  );
+  const charts = await page.locator(".plot canvas").evaluateAll((all) =>
+    all
+      .filter((canvas) => new Set(new Uint32Array(canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data.buffer)).size < 4)
+      .map((canvas) => `chart of ${canvas.closest("figure").id}`),
+  );
+  const scenes = [];
+  for (const canvas of await page.locator(".scene canvas").all()) {
+    await canvas.evaluate((element) => element.scrollIntoView({ block: "center" }));
+    if ((await canvas.screenshot()).length < 8000) scenes.push(`scene of ${await canvas.evaluate((c) => c.closest("figure").id)}`);
+  }
+  return [...drawings, ...charts, ...scenes];
+}
+
+for (const [name, path] of Object.entries(reports)) {
+  test(`${name} is whole and well, in the light and in the dark, on every width`, async () => {
+    const page = await openReport(browser, path);
+    await showAllFigures(page);
+    for (const colorScheme of ["light", "dark"]) {
+      await page.emulateMedia({ colorScheme });
+      assert.deepEqual(await emptyFigures(page), []);
+      assert.deepEqual(await seriousViolations(page), []);
+    }
+    for (const width of WIDTHS) {
+      await page.setViewportSize({ width, height: 844 });
+      assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= width, `wider than ${width} px`);
+    }
+    assert.deepEqual(page.complaints, []);
+    await page.context().close();
+  });
+}
+
+test("a calibration is shown in charts and in space", async () => {
+  const page = await openReport(browser, reports["calibration.en"]);
+  await showAllFigures(page);
+  assert.ok((await page.evaluate(() => armcalReport.charts.length)) >= 3);
+  assert.equal(await page.evaluate(() => armcalReport.scenes.length), 1);
+  await page.context().close();
+});
+
+test("the button changes the colours of everything", async () => {
+  const page = await openReport(browser, reports["calibration.en"], { colorScheme: "light" });
+  await showAllFigures(page);
+  const look = () => page.evaluate(() => [getComputedStyle(document.body).backgroundColor, document.querySelector(".plot canvas").toDataURL().length]);
+  const [paper, chart] = await look();
+  await page.click("#armcal-theme");
+  const [otherPaper, otherChart] = await look();
+  assert.notEqual(paper, otherPaper);
+  assert.notEqual(chart, otherChart);
+  assert.equal(await page.getAttribute("#armcal-theme", "aria-pressed"), "true");
+  await page.context().close();
+});
+
+test("charts zoom, and come back", async () => {
+  const page = await openReport(browser, reports["calibration.en"]);
+  await showAllFigures(page);
+  const chart = page.locator(".plot").first();
+  const ranges = () => page.evaluate(() => armcalReport.charts.map((each) => each.ranges())[0]);
+  const whole = await ranges();
+  await chart.focus();
+  await page.keyboard.press("ArrowRight");
+  assert.notEqual(await page.locator(".spoken").first().textContent(), "");
+  assert.ok(await page.locator(".tip").first().isVisible());
+  await page.keyboard.press("+");
+  assert.ok((await ranges()).x[1] < whole.x[1]);
+  await page.keyboard.press("Escape");
+  assert.deepEqual(await ranges(), whole);
+
+  await chart.scrollIntoViewIfNeeded();
+  const box = await chart.locator(".u-over").boundingBox();
+  await page.mouse.move(box.x + 0.3 * box.width, box.y + 0.3 * box.height);
+  await page.mouse.down();
+  await page.mouse.move(box.x + 0.6 * box.width, box.y + 0.7 * box.height, { steps: 4 });
+  await page.mouse.up();
+  const part = await ranges();
+  const spans = (r) => (r.x[1] - r.x[0]) / (whole.x[1] - whole.x[0]);
+  assert.ok(Math.abs(spans(part) - 0.3) < 0.02, `${JSON.stringify(part)} of ${JSON.stringify(whole)}`);
+  await page.locator(".live-view .reset:visible").first().click();
+  assert.deepEqual(await ranges(), whole);
+  await page.context().close();
+});

@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: the armcal authors
+// SPDX-License-Identifier: Apache-2.0
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { openBrowser, openReport, showAllFigures } from "./browser.mjs";
+import { postureOf } from "../src/kinematics.js";
+import { liveModels, reportsOf } from "./reports.mjs";
+
+const NANOMETRE = 1e-6; // mm: what printing a tip in decimals and back may lose
+const reports = reportsOf("calibration");
+let browser;
+let page;
+before(async () => {
+  browser = await openBrowser();
+  page = await openReport(browser, reports["calibration.en"]);
+  await showAllFigures(page);
+});
+after(() => browser.close());
+
+const distance = (a, b) => Math.hypot(...a.map((v, k) => v - b[k]));
+const tip = () => page.evaluate(() => armcalReport.scenes[0].tip());
+
+test("the kinematics of the script are those of the calibration", () => {
+  const scene = liveModels(reports["calibration.en"]).find(({ kind }) => kind === "scene");
+  assert.ok(scene.postures.length > 10);
+  for (const { name, q_deg, tip_mm } of scene.postures) {
+    assert.ok(distance(postureOf(scene.arm, q_deg).tip_mm, tip_mm) < NANOMETRE, name);
+  }
+});
+
+test("the arm stands in a measured posture where its tip was", async () => {
+  const [shown, said] = await page.evaluate(() => {
+    const [scene] = armcalReport.scenes;
+    scene.setPosture(3);
+    return [scene.tip(), scene.postures[3].tip_mm];
+  });
+  assert.ok(distance(shown, said) < NANOMETRE);
+});
+
+test("every slider turns its joint", async () => {
+  const sliders = page.locator(".panel fieldset input[type=range]");
+  const count = await sliders.count();
+  assert.equal(count, await page.evaluate(() => armcalReport.scenes[0].joints().length));
+  for (let i = 0; i < count; ++i) {
+    const before = await page.evaluate(() => armcalReport.scenes[0].joints());
+    await sliders.nth(i).focus();
+    await page.keyboard.press(before[i] > Number(await sliders.nth(i).getAttribute("min")) + 5 ? "ArrowLeft" : "ArrowRight");
+    const joints = await page.evaluate(() => armcalReport.scenes[0].joints());
+    assert.notEqual(joints[i], before[i], `joint ${i + 1}`);
+    assert.deepEqual(joints.toSpliced(i, 1), before.toSpliced(i, 1));
+    const wanted = await page.evaluate((q) => armcalReport.scenes[0].tipOf(q), joints);
+    assert.ok(distance(await tip(), wanted) < 1e-12);
+  }
+});
+
+test("the arm is drawn anew when it moves, and only then", async () => {
+  const frames = () => page.evaluate(() => armcalReport.scenes[0].frames());
+  const settle = () => page.waitForTimeout(100);
+  await settle();
+  const still = await frames();
+  await settle();
+  assert.equal(await frames(), still);
+  await page.evaluate(() => armcalReport.scenes[0].setJoint(0, 12));
+  await settle();
+  assert.ok((await frames()) > still);
+});
+
+test("without 3-D graphics the drawing stays, and the reader is told", async () => {
+  const context = await browser.newContext({ viewport: { width: 1280, height: 900 } });
+  await context.addInitScript(() => {
+    const getContext = HTMLCanvasElement.prototype.getContext;
+    HTMLCanvasElement.prototype.getContext = function (kind, ...rest) {
+      return kind.startsWith("webgl") ? null : getContext.call(this, kind, ...rest);
+    };
+  });
+  const poor = await context.newPage();
+  await poor.goto(page.url());
+  await showAllFigures(poor);
+  const figure = poor.locator("figure:has(> p.note)");
+  assert.ok(await figure.locator(".drawing svg").isVisible());
+  await context.close();
+});
