@@ -65,16 +65,34 @@ Stamp stamp_of(const DocumentView& document, const Language& say) {
   return stamp;
 }
 
+std::string signed_mm(double value_mm) {
+  return fmt::format("{}{}", value_mm < 0.0 ? "" : "+", fixed(value_mm, 4));
+}
+
+void add_drifts(const DocumentView& document, const Language& say, Headlines& headlines) {
+  for (const DocumentView& trend : document.list("trends")) {
+    const TrendHistory history = trend_history(trend, say);
+    if (!history.drift) continue;
+    const TrendDrift& drift = *history.drift;
+    headlines.items.push_back(
+        {say("check.drift_of", history.title), signed_mm(kMonth_days * drift.mm_per_day), "mm",
+         say(drift.is_significant ? "check.drift_note" : "check.drift_by_chance",
+             fixed(kMonth_days * drift.u_mm_per_day, 4)),
+         drift.is_significant ? Tone::warning : Tone::neutral});
+  }
+}
+
 Headlines headlines_of(const DocumentView& document, const Language& say) {
-  constexpr std::size_t kMost = 5;
   Headlines headlines;
-  for (const DocumentView& test : document.list("tests")) {
+  const auto tests = has_check(document) ? document.list("tests") : std::vector<DocumentView>();
+  for (const DocumentView& test : tests) {
     const auto limit = test.number_if("mpe_mm");
-    if (!limit || headlines.items.size() == kMost) continue;
+    if (!limit) continue;
     headlines.items.push_back({title_of_check_value(test.text("name"), say),
                                mm_text(test.number("value_mm")), "mm",
                                say("check.limit_note", mm_text(limit)), tone_of(verdict_in(test))});
   }
+  add_drifts(document, say, headlines);
   return headlines;
 }
 
@@ -120,14 +138,17 @@ Section summary_section(const DocumentView& document, const Language& say) {
   Section section{"summary", say("verification.summary"), "", {}};
   Headlines headlines = headlines_of(document, say);
   if (!headlines.items.empty()) section.blocks.emplace_back(std::move(headlines));
+  if (!has_check(document)) {
+    section.blocks.emplace_back(Paragraph{say("check.history_only")});
+    return section;
+  }
   section.blocks.push_back(tests_table(document, say));
   section.blocks.push_back(places_table(document, say));
   return section;
 }
 
 std::string drift_text(const TrendDrift& drift) {
-  return fmt::format("{}{} mm (u = {} mm)", drift.mm_per_day < 0.0 ? "" : "+",
-                     fixed(kMonth_days * drift.mm_per_day, 4),
+  return fmt::format("{} mm (u = {} mm)", signed_mm(kMonth_days * drift.mm_per_day),
                      fixed(kMonth_days * drift.u_mm_per_day, 4));
 }
 
@@ -207,7 +228,7 @@ Page check_page(const DocumentView& document, const Language& say) {
   page.subtitle = document.text("arm_name");
   page.head = head_of(document, say);
   page.stamp = stamp_of(document, say);
-  if (has_check(document)) page.sections.push_back(summary_section(document, say));
+  page.sections.push_back(summary_section(document, say));
   const std::vector<DocumentView> trends = document.list("trends");
   for (std::size_t i = 0; i < trends.size(); ++i) {
     page.sections.push_back(trend_section(trends[i], i + 1, say));

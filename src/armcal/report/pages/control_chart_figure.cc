@@ -18,9 +18,9 @@
 namespace armcal {
 namespace {
 
-constexpr int kCheckStyle = 0;
+constexpr int kCheckStyle = 0;  // and of the line through the checks
 constexpr int kBrokenStyle = 1;
-constexpr int kDriftStyle = 2;
+constexpr int kBandStyle = 2;
 constexpr double kSeconds_per_day = 86400.0;
 constexpr double kNear_sigma = 12.0;  // a limit beyond it is left out
 
@@ -69,7 +69,7 @@ void add_drift(const TrendHistory& trend, const Language& say, Chart& chart) {
   for (const double side : {0.0, 1.0, -1.0}) {
     ChartSeries line;
     line.mark = Mark::line;
-    line.style = side == 0.0 ? kDriftStyle : kDriftStyle + 6;
+    line.style = side == 0.0 ? kCheckStyle : kBandStyle;
     if (side >= 0.0) line.name = say(side == 0.0 ? "check.drift" : "check.drift_band");
     for (int i = 0; i <= kSteps; ++i) {
       const double day = last * i / kSteps;
@@ -134,7 +134,7 @@ TrendHistory trend_history(const DocumentView& trend, const Language& say) {
   history.centre_mm = trend.number_if("centre_mm");
   history.sigma_mm = trend.number_if("sigma_mm");
   history.is_signed = trend.has("is_signed") && trend.flag("is_signed");
-  history.baseline = static_cast<std::size_t>(std::max(0.0, trend.number("baseline")));
+  history.baseline = whole(trend.number("baseline"));
   std::set<std::string> broken;
   for (const DocumentView& each : trend.list("violations")) {
     broken.insert(whole(each.number("check")));

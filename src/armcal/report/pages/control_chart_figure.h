@@ -36,7 +36,7 @@ struct TrendHistory {
   std::string title;  ///< in the language of the reader
   std::optional<double> limit_mm, centre_mm, sigma_mm;
   bool is_signed = false;
-  std::size_t baseline = 0;
+  std::string baseline;  ///< how many checks centre and sigma come from
   std::vector<TrendCheck> checks;
   std::optional<TrendDrift> drift;
 };

@@ -19,17 +19,18 @@ constexpr std::size_t kMostSlots = 6;
 const std::array<std::string, kMostSlots> kMarks = {"\x01", "\x02", "\x03", "\x04", "\x05", "\x06"};
 
 struct Pattern {
+  std::string key;
   std::vector<std::string> between;  // one more than slots; the first and the last may be empty
   std::vector<std::size_t> slots;    // which value each slot is of
   std::size_t literal = 0;           // characters that are not of slots
 };
 
-// The English text taken apart at its slots.
+// An English text taken apart at its slots.
 Pattern pattern_of(const std::string& key) {
-  static const Language& english = Language::named("en");
   const std::string text =
-      english(key, kMarks[0], kMarks[1], kMarks[2], kMarks[3], kMarks[4], kMarks[5]);
+      Language::named("en")(key, kMarks[0], kMarks[1], kMarks[2], kMarks[3], kMarks[4], kMarks[5]);
   Pattern pattern;
+  pattern.key = key;
   pattern.between.emplace_back();
   for (const char c : text) {
     if (c >= '\x01' && c <= '\x06') {
@@ -41,6 +42,17 @@ Pattern pattern_of(const std::string& key) {
     }
   }
   return pattern;
+}
+
+const std::vector<Pattern>& all_patterns() {
+  static const std::vector<Pattern> patterns = [] {
+    std::vector<Pattern> found;
+    for (const std::string& key : Language::named("en").keys()) {
+      if (key.find(".phrase.") != std::string::npos) found.push_back(pattern_of(key));
+    }
+    return found;
+  }();
+  return patterns;
 }
 
 using Values = std::array<std::string, kMostSlots>;
@@ -70,19 +82,18 @@ std::optional<Values> matched(const Pattern& pattern, std::string_view phrase) {
 
 std::string in_language(const std::string& phrase, std::string_view under, const Language& say) {
   const std::string prefix = fmt::format("{}.", under);
-  std::string said = phrase;
-  std::optional<std::size_t> best;
-  for (const std::string& key : say.keys()) {
-    if (key.rfind(prefix, 0) != 0) continue;
-    const Pattern pattern = pattern_of(key);
-    if (best && pattern.literal <= *best) continue;
-    const auto values = matched(pattern, phrase);
-    if (!values) continue;
-    best = pattern.literal;
-    const Values& v = *values;
-    said = say(key, v[0], v[1], v[2], v[3], v[4], v[5]);
+  const Pattern* best = nullptr;
+  Values values;
+  for (const Pattern& pattern : all_patterns()) {
+    if (pattern.key.rfind(prefix, 0) != 0) continue;
+    if (best != nullptr && pattern.literal <= best->literal) continue;
+    if (auto found = matched(pattern, phrase)) {
+      best = &pattern;
+      values = std::move(*found);
+    }
   }
-  return said;
+  if (best == nullptr) return phrase;
+  return say(best->key, values[0], values[1], values[2], values[3], values[4], values[5]);
 }
 
 }  // namespace armcal

@@ -16,7 +16,7 @@ namespace armcal {
 ///
 /// Of several that match, the one counts that leaves the least to its slots. Each slot holds at
 /// least a character, and as few as will do.
-/// @param under  keys of the phrases: "verification.phrase"
+/// @param under  keys of the phrases, which end with "phrase": "verification.phrase"
 [[nodiscard]] std::string in_language(const std::string& phrase, std::string_view under,
                                       const Language& say);
 

@@ -16,6 +16,7 @@ namespace {
 
 // Of this drawing alone: classes under its own, colours of the page.
 constexpr const char* kStyle = R"(<style>
+  @media screen { .drawing svg.armcal-plan { min-width: 27rem; } }
   .armcal-plan text { font-family: inherit; font-size: 13px; fill: currentColor; stroke: none; }
   .armcal-plan .small { font-size: 12px; fill: var(--muted, currentColor); }
   .armcal-plan .label { paint-order: stroke; stroke: var(--paper, Canvas); stroke-width: 3.5px; stroke-linejoin: round; }
@@ -159,7 +160,7 @@ Figures plan_figures(const DocumentView& document, const std::vector<DocumentVie
 }
 
 std::string plan_position(const std::string& name, const Language& say) {
-  return in_language(name, "verification_plan.position", say);
+  return in_language(name, "verification_plan.phrase", say);
 }
 
 }  // namespace armcal

@@ -49,7 +49,8 @@ Headlines headlines_of(const DocumentView& document, const Language& say) {
       {say("probe.residuals"), mm_text(group.number("rms_mm")), "mm",
        say("probe.residuals_note", whole(group.number("count"))), Tone::neutral},
       {say("calibration.sigma0"), fixed(document.number("sigma0"), 2), "",
-       say(scatters_more(document) ? "probe.scatters_more" : "probe.scatter_note"),
+       scatters_more(document) ? say("probe.scatters_more")
+                               : say("calibration.sigma0_note", whole(document.number("dof"))),
        scatters_more(document) ? Tone::warning : Tone::neutral}};
   return headlines;
 }
@@ -87,7 +88,7 @@ Figure change_figure(const DocumentView& document, const Language& say) {
   chart.title = say("probe.figure");
   chart.text = say("probe.figure_text");
   chart.nothing = say("probe.nothing");
-  chart.estimated = say("probe.after");
+  chart.estimated = say("probe.change_and_U");
   IntervalGroup group;
   group.label = say("probe.change_mm");
   for (const DocumentView& each : document.list("tip")) {

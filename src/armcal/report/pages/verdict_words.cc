@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "armcal/report/number_format.h"
 
@@ -59,7 +60,7 @@ std::string run_on(const std::vector<std::string>& sentences, const Language& sa
 }
 
 std::string mm_text(const std::optional<double>& value_mm, const std::optional<double>& u_mm) {
-  if (!value_mm) return kDash;
+  if (!value_mm || !std::isfinite(*value_mm)) return kDash;
   const int wanted = u_mm && *u_mm > 0.0 ? decimals_for_uncertainty(*u_mm) : kLeastDecimals;
   return fixed(*value_mm, std::clamp(wanted, kLeastDecimals, kMostDecimals));
 }

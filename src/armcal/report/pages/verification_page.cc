@@ -221,10 +221,8 @@ Facts basis_of(const DocumentView& document, const Language& say) {
   if (const auto reach = document.number_if("reach_mm")) {
     facts.rows.emplace_back(say("verification.reach"), fmt::format("{} mm", fixed(*reach, 1)));
   }
-  const DocumentView decision = document["decision"];
-  facts.rows.emplace_back(say("verification.decision_rule"), rule_in_words(decision, say));
-  facts.rows.emplace_back(say("verification.coverage_factor"),
-                          fmt::format("k = {:g}", decision.number("coverage_factor")));
+  const double k = document["decision"].number("coverage_factor");
+  facts.rows.emplace_back(say("verification.coverage_factor"), fmt::format("k = {:g}", k));
   return facts;
 }
 
@@ -265,7 +263,10 @@ Section summary_section(const DocumentView& document, const std::vector<Verified
 
 Section judgement_section(const DocumentView& document, const std::vector<VerifiedRow>& rows,
                           const Language& say) {
-  Section section{"judgement", say("verification.judgement"), "", {}};
+  Section section{"judgement",
+                  say("verification.judgement"),
+                  say("verification.decided_so", rule_in_words(document["decision"], say)),
+                  {}};
   section.blocks.push_back(basis_of(document, say));
   section.blocks.push_back(Figures{{limit_figure(rows, document["decision"].text("rule"), say)}});
   Table deciding = deciding_table(rows, say);
@@ -273,13 +274,24 @@ Section judgement_section(const DocumentView& document, const std::vector<Verifi
   return section;
 }
 
+std::optional<Section> values_section(const std::vector<VerifiedRow>& rows, const Language& say) {
+  Section section{"values", say("verification.values"), say("verification.values_lead"), {}};
+  Table few = few_parts_table(rows, say);
+  if (!few.rows.empty()) section.blocks.emplace_back(std::move(few));
+  Figures figures = part_figures(rows, say);
+  if (!figures.items.empty()) section.blocks.emplace_back(std::move(figures));
+  if (section.blocks.empty()) return std::nullopt;
+  return section;
+}
+
 Section definitions_section(const std::vector<VerifiedRow>& rows, const Language& say) {
-  Facts facts;
+  Table table;
+  table.columns = {{say("verification.test"), false}, {say("verification.definition"), false}};
   std::set<std::string> told;
   for (const VerifiedRow& row : rows) {
-    if (told.insert(row.definition).second) facts.rows.emplace_back(row.title, row.definition);
+    if (told.insert(row.definition).second) table.rows.push_back({{row.title}, {row.definition}});
   }
-  return {"definitions", say("verification.definitions"), "", {facts}};
+  return {"definitions", say("verification.definitions"), "", {table}};
 }
 
 }  // namespace
@@ -292,13 +304,7 @@ Page verification_page(const DocumentView& document, const Language& say) {
   page.stamp = stamp_of(document, rows, say);
   page.sections.push_back(summary_section(document, rows, say));
   page.sections.push_back(judgement_section(document, rows, say));
-  Figures parts = part_figures(rows, say);
-  if (!parts.items.empty()) {
-    page.sections.push_back({"values",
-                             say("verification.values"),
-                             say("verification.values_lead"),
-                             {std::move(parts)}});
-  }
+  if (auto values = values_section(rows, say)) page.sections.push_back(std::move(*values));
   if (auto budgets = budgets_section(document, rows, say)) {
     page.sections.push_back(std::move(*budgets));
   }
