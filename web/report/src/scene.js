@@ -17,16 +17,19 @@ import { say } from "./words.js";
 const VIEW_DEG = 35; // from top to bottom
 const INKS = { joint: "--scene-joint", link: "--scene-link", tip: "--ink", fit: "--series-0", check: "--series-1", artefact: "--series-2" };
 
-function hasWebGL() {
-  try {
-    return Boolean(document.createElement("canvas").getContext("webgl2"));
-  } catch {
-    return false;
+// One renderer for all scenes of a page: browsers allow few. Null where there are no 3-D graphics.
+let renderer;
+function sharedRenderer() {
+  if (renderer === undefined) {
+    const canvas = document.createElement("canvas");
+    const hasGraphics = Boolean(canvas.getContext("webgl2", { antialias: true, alpha: true }));
+    renderer = hasGraphics ? new WebGLRenderer({ canvas, antialias: true, alpha: true }) : null;
   }
+  return renderer;
 }
 
 export function liveScene(figure, model) {
-  if (!hasWebGL()) {
+  if (!sharedRenderer()) {
     figure.append(element("p", { class: "note" }, say("no_webgl")));
     return { id: figure.id, missing: true };
   }
@@ -37,6 +40,7 @@ class LiveScene {
   constructor(figure, model) {
     this.figure = figure;
     this.model = model;
+    this.frames = 0; // drawn so far
     this.q_deg = this.first();
     this.measure();
     this.furnish();
@@ -56,7 +60,7 @@ class LiveScene {
       setJoint: (i, deg) => this.turn(i, deg),
       setPosture: (index) => this.choose(index),
       postures: this.model.postures,
-      frames: () => this.renderer.info.render.frame,
+      frames: () => this.frames,
     };
   }
 
@@ -103,8 +107,7 @@ class LiveScene {
 
   layOut() {
     const title = this.figure.querySelector("figcaption h3").textContent;
-    this.renderer = new WebGLRenderer({ antialias: true, alpha: true });
-    this.canvas = this.renderer.domElement;
+    this.canvas = element("canvas");
     for (const [key, value] of Object.entries({ tabindex: 0, role: "application", "aria-label": title, "aria-description": say("scene_keys") })) {
       this.canvas.setAttribute(key, value);
     }
@@ -239,11 +242,20 @@ class LiveScene {
       this.isWaiting = false;
       const { clientWidth: width, clientHeight: height } = this.view;
       if (width === 0 || height === 0) return; // on paper
-      this.renderer.setPixelRatio(devicePixelRatio);
-      this.renderer.setSize(width, height, false);
       this.camera.aspect = width / height;
       this.camera.updateProjectionMatrix();
-      this.renderer.render(this.scene, this.camera);
+      this.render(width, height);
     });
+  }
+
+  render(width, height) {
+    const shared = sharedRenderer();
+    shared.setPixelRatio(devicePixelRatio);
+    shared.setSize(width, height, false);
+    shared.render(this.scene, this.camera);
+    const { width: columns, height: rows } = shared.domElement;
+    Object.assign(this.canvas, { width: columns, height: rows });
+    this.canvas.getContext("2d").drawImage(shared.domElement, 0, 0);
+    this.frames += 1;
   }
 }
