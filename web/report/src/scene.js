@@ -41,6 +41,7 @@ class LiveScene {
     this.figure = figure;
     this.model = model;
     this.frames = 0; // drawn so far
+    this.chosen = Math.floor(model.postures.length / 2); // of the measured postures; null: turned by hand
     this.q_deg = this.first();
     this.measure();
     this.furnish();
@@ -64,10 +65,11 @@ class LiveScene {
     };
   }
 
-  // The posture that it begins with: the middle one measured, else zeros within limits.
+  // The readings that it begins with: of the middle one of the measured postures, else zeros within limits.
   first() {
     const { postures, arm } = this.model;
-    if (postures.length > 0) return [...postures[Math.floor(postures.length / 2)].q_deg];
+    if (postures.length > 0) return [...postures[this.chosen].q_deg];
+    this.chosen = null;
     return arm.joints.map(({ min_deg, max_deg }) => Math.min(Math.max(0, min_deg ?? 0), max_deg ?? 0));
   }
 
@@ -112,9 +114,9 @@ class LiveScene {
       this.canvas.setAttribute(key, value);
     }
     this.readout = element("p", { class: "readout" });
-    this.panel = panelOf(this.model, this.q_deg, {
-      turn: (i, deg) => this.turn(i, deg, false),
-      choose: (index) => this.choose(index, false),
+    this.panel = panelOf(this.model, {
+      turn: (i, deg) => this.turn(i, deg),
+      choose: (index) => this.choose(index),
       enlarge: (factor) => {
         this.measured.enlarge(factor);
         this.draw();
@@ -127,6 +129,7 @@ class LiveScene {
     place.classList.add("scene");
     place.append(this.view, this.panel.element, this.legend());
     show();
+    this.panel.show(this.q_deg, this.chosen);
     this.controls = new OrbitControls(this.camera, this.canvas);
     this.controls.enableZoom = false; // until it is asked for: the wheel scrolls the page
     this.canvas.style.touchAction = "pan-y";
@@ -156,31 +159,32 @@ class LiveScene {
     onThemeChange(() => this.paint());
   }
 
-  turn(i, deg, tellPanel = true) {
+  turn(i, deg) {
     this.q_deg[i] = deg;
-    this.move(tellPanel);
+    this.chosen = null;
+    this.move();
   }
 
-  choose(index, tellPanel = true) {
-    if (index < 0) return;
+  choose(index) {
     this.q_deg = [...this.model.postures[index].q_deg];
-    this.move(true, this.model.postures[index]);
-    if (tellPanel) this.panel.showPosture(index);
+    this.chosen = index;
+    this.move();
   }
 
-  move(tellPanel, chosen = null) {
+  move() {
     this.posture = postureOf(this.model.arm, this.q_deg);
     this.arm.take(this.posture);
-    if (tellPanel) this.panel.showJoints(this.q_deg);
-    this.say(chosen);
+    this.panel.show(this.q_deg, this.chosen);
+    this.say();
     this.draw();
   }
 
   // The tip in numbers, the residual of a measured posture, and how far the nominal arm would miss.
-  say(chosen = null) {
+  say() {
     const { tip_mm } = this.posture;
+    const residual_mm = this.model.postures[this.chosen]?.residual_mm;
     const lines = [`${say("tip")} ${tip_mm.map((v) => fixedText(v, 3)).join("  ")} mm`];
-    if (chosen?.residual_mm) lines.push(`${say("residual")} ${fixedText(Math.hypot(...chosen.residual_mm), 4)} mm`);
+    if (residual_mm) lines.push(`${say("residual")} ${fixedText(Math.hypot(...residual_mm), 4)} mm`);
     if (this.model.nominal) {
       const nominal = postureOf(this.model.nominal, this.q_deg).tip_mm;
       lines.push(`${say("nominal_differs")} ${fixedText(Math.hypot(...nominal.map((v, k) => v - tip_mm[k])), 3)} mm`);
@@ -191,7 +195,7 @@ class LiveScene {
   reset() {
     const { clientWidth: width, clientHeight: height } = this.view;
     const slimmer = Math.min(1, width / height) || 1;
-    const away = (0.48 * this.size) / Math.sin(Math.atan(slimmer * Math.tan((VIEW_DEG * Math.PI) / 360)));
+    const away = (0.56 * this.size) / Math.sin(Math.atan(slimmer * Math.tan((VIEW_DEG * Math.PI) / 360)));
     this.controls.target.copy(this.middle);
     this.camera.position.copy(this.middle).add(new Vector3(0.55, -0.75, 0.42).normalize().multiplyScalar(away));
     this.controls.update();
