@@ -41,6 +41,7 @@ Json json_of_drift(const CheckTrend& trend) {
   if (!trend.drift) return {};
   return {{"mm_per_day", trend.drift->mm_per_day},
           {"u_mm_per_day", trend.drift->u_mm_per_day},
+          {"now_mm", trend.drift->now_mm},
           {"significant", trend.drift->is_significant},
           {"days_to_limit", json_of(trend.days_to_limit())}};
 }
@@ -48,6 +49,7 @@ Json json_of_drift(const CheckTrend& trend) {
 Json json_of_trend(const CheckTrend& trend) {
   Json json;
   json["name"] = trend.name;
+  json["is_signed"] = trend.is_signed;
   json["limit_mm"] = json_of(trend.limit_mm);
   json["baseline"] = trend.baseline;
   json["centre_mm"] = trend.limits ? Json(trend.limits->center) : Json();

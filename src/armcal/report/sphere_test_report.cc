@@ -49,6 +49,7 @@ Json json_result(const SphereTest& test, const SphereTestOptions& options) {
   json["uncompensated_error_mm"] = test.uncompensated_error_mm;
   json["u_diameter_mm"] = json_of(test.u_diameter_mm);
   json["sphere"] = json_result(test.fit);
+  json["directions"] = json_of(Eigen::MatrixXd(test.outward.transpose()));
   json["joint_spans_deg"] = Json::array();
   for (const double span : test.joint_spans_rad) {
     json["joint_spans_deg"].push_back(degrees_from_radians(span));

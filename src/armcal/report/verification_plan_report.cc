@@ -32,7 +32,10 @@ Json json_of_touch(const PlannedTouch& row) {
 }
 
 Json json_of_test(const PlannedTest& test) {
-  Json json = {{"name", test.name}, {"title", test.title}, {"covers", test.covers}};
+  Json json = {{"name", test.name},
+               {"title", test.title},
+               {"standard", test.is_of_iso ? "ISO 10360-12" : "ASME B89.4.22"},
+               {"covers", test.covers}};
   json["spheres"] = Json::array();
   for (const PlannedSphere& sphere : test.spheres) {
     json["spheres"].push_back({{"position", sphere.position},
@@ -55,6 +58,25 @@ Json json_of_test(const PlannedTest& test) {
   json["joint_coverage"] = json_of(test.joint_coverage);
   json["readings"] = Json::array();
   for (const PlannedTouch& row : test.touches) json["readings"].push_back(json_of_touch(row));
+  return json;
+}
+
+// What the drawing of a plan shows beside its artefacts.
+Json json_of_surroundings(const VerificationPlan& plan) {
+  const Surroundings& around = plan.wishes.room.surroundings;
+  const RigidTransform& base_from_first_joint = plan.arm.base_from_first_joint;
+  Json json;
+  json["bench_mm"] = json_of(around.bench_mm);
+  json["column_radius_mm"] = around.column_radius_mm;
+  json["column_top_mm"] = around.column_top_mm;
+  json["volume_mm"] = nullptr;
+  if (const auto& volume = plan.wishes.room.volume) {
+    json["volume_mm"] = {{"low", json_of_point(volume->low_mm)},
+                         {"high", json_of_point(volume->high_mm)}};
+  }
+  json["first_joint"] = {
+      {"origin_mm", json_of_point(base_from_first_joint.translation_mm)},
+      {"axes", json_of(Eigen::MatrixXd(base_from_first_joint.rotation.transpose()))}};
   return json;
 }
 
@@ -129,6 +151,8 @@ std::string bars_text(const VerificationPlan& plan) {
 
 Json json_result(const VerificationPlan& plan) {
   Json json;
+  json["arm_name"] = plan.arm.name;
+  json["surroundings"] = json_of_surroundings(plan);
   json["reach_mm"] = plan.reach_mm;
   json["wishes"] = {{"sphere_diameter_mm", plan.wishes.sphere_diameter_mm},
                     {"tip_diameter_mm", plan.wishes.tip_diameter_mm},

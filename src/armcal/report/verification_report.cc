@@ -167,22 +167,33 @@ std::string budgets_text(const Verification& verification) {
   return table.empty() ? std::string() : "\nUncertainty of the tests, um\n" + table.text();
 }
 
-Json json_of_part(const ResultPart& part) {
+Json json_of_part(const ResultPart& part, const std::optional<MaximumPermissibleError>& mpe) {
+  const bool has_limit = mpe && part.length_mm;
   return {{"name", part.name},
           {"value_mm", json_number(part.value_mm)},
           {"length_mm", json_of(part.length_mm)},
+          {"mpe_mm", has_limit ? json_number(mpe->at(*part.length_mm)) : Json(nullptr)},
           {"readings", part.readings},
           {"where", part.where}};
 }
 
+// By how much inside its limit a value has to lie to pass.
+std::optional<double> guard_of(const Judged& judged, const Verification& verification) {
+  if (!judged.U_mm || !judged.mpe_mm) return std::nullopt;
+  return guard_band(verification.rule,
+                    {*judged.U_mm / verification.coverage_factor, verification.coverage_factor});
+}
+
 // The keys that a value of one arm has.
-Json json_of_judged(const Judged& judged) {
+Json json_of_judged(const Judged& judged, const VerifiedStatistic& statistic,
+                    const Verification& verification) {
   Json json;
   json["symbol"] = judged.result.symbol.empty() ? Json(nullptr) : Json(judged.result.symbol);
   json["value_mm"] = json_of(value_of(judged));
   json["largest_mm"] = json_of(judged.result.value_mm);
   json["mpe_mm"] = json_of(judged.mpe_mm);
   json["U_mm"] = json_of(judged.U_mm);
+  json["guard_mm"] = json_of(guard_of(judged, verification));
   json["share_of_mpe"] = json_of(judged.share_of_mpe);
   json["conformance_probability"] = json_of(judged.conformance_probability);
   json["verdict"] = to_string(judged.verdict);
@@ -191,7 +202,9 @@ Json json_of_judged(const Judged& judged) {
   const ResultPart* part = deciding_part(judged);
   json["decided_by"] = part == nullptr ? Json(nullptr) : Json(part->name);
   json["parts"] = Json::array();
-  for (const ResultPart& each : judged.result.parts) json["parts"].push_back(json_of_part(each));
+  for (const ResultPart& each : judged.result.parts) {
+    json["parts"].push_back(json_of_part(each, statistic.mpe));
+  }
   return json;
 }
 
@@ -212,21 +225,23 @@ Json json_of_budget(const TestBudget& budget, double coverage_factor) {
   return json;
 }
 
-Json json_of_statistic(const VerifiedStatistic& statistic, double coverage_factor) {
+Json json_of_statistic(const VerifiedStatistic& statistic, const Verification& verification) {
   Json json;
   const TestResult& result = statistic.judged().result;
   json["name"] = result.name;
   json["test"] = statistic.test;
+  json["title"] = statistic.title;
   json["definition"] = result.definition;
+  json["is_signed"] = result.is_signed;
   json["limit"] = statistic.limit.empty() ? Json(nullptr) : Json(statistic.limit);
-  json.update(json_of_judged(statistic.judged()));
+  json.update(json_of_judged(statistic.judged(), statistic, verification));
   if (statistic.as_left) {
-    json["as_found"] = json_of_judged(statistic.as_found);
-    json["as_left"] = json_of_judged(*statistic.as_left);
+    json["as_found"] = json_of_judged(statistic.as_found, statistic, verification);
+    json["as_left"] = json_of_judged(*statistic.as_left, statistic, verification);
   }
   json["budgets"] = Json::array();
   for (const TestBudget& budget : statistic.budgets) {
-    json["budgets"].push_back(json_of_budget(budget, coverage_factor));
+    json["budgets"].push_back(json_of_budget(budget, verification.coverage_factor));
   }
   return json;
 }
@@ -248,7 +263,7 @@ Json json_result(const Verification& verification) {
                       {"guard_factor", verification.rule.guard_factor}};
   json["tests"] = Json::array();
   for (const VerifiedStatistic& statistic : verification.statistics) {
-    json["tests"].push_back(json_of_statistic(statistic, verification.coverage_factor));
+    json["tests"].push_back(json_of_statistic(statistic, verification));
   }
   json["verdict"] = to_string(verification.verdict());
   if (!verification.as_left_file.empty()) {

@@ -8,6 +8,7 @@
 
 #include "armcal/verification/decision_rule.h"
 #include "armcal/verification/judgement.h"
+#include "armcal/verification/maximum_permissible_error.h"
 #include "armcal/verification/test_uncertainty.h"
 
 namespace armcal {
@@ -27,6 +28,7 @@ struct VerifiedStatistic {
   Judged as_found;
   std::optional<Judged> as_left;  ///< where a second arm was given
   std::vector<TestBudget> budgets;
+  std::optional<MaximumPermissibleError> mpe = {};  ///< that limit, for every length
 
   /// What counts: as left, where that was judged.
   [[nodiscard]] const Judged& judged() const { return as_left ? *as_left : as_found; }

@@ -41,11 +41,21 @@ Verdict judge(const std::optional<double>& error, const std::optional<double>& l
   return std::abs(*error) <= *limit ? Verdict::pass : Verdict::fail;
 }
 
+Eigen::Matrix3Xd directions_from(const Eigen::Vector3d& center_mm,
+                                 std::span<const Eigen::Vector3d> points_mm) {
+  Eigen::Matrix3Xd directions(3, static_cast<Eigen::Index>(points_mm.size()));
+  for (Eigen::Index i = 0; i < directions.cols(); ++i) {
+    directions.col(i) = (points_mm[static_cast<std::size_t>(i)] - center_mm).normalized();
+  }
+  return directions;
+}
+
 SphereTest test_points(std::span<const Eigen::Vector3d> points, const SphereTestOptions& options) {
   check(options);
   SphereTest test;
   test.fit = fit_sphere(points);
   if (!test.ok()) return test;
+  test.outward = directions_from(test.fit.center_mm, points);
   test.uncompensated_diameter_mm = 2.0 * test.fit.radius_mm;
   test.diameter_mm = test.uncompensated_diameter_mm - options.tip_diameter_mm;
   test.diameter_error_mm = test.diameter_mm - options.certified_diameter_mm;

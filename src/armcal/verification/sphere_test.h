@@ -37,6 +37,8 @@ struct BlindSpot {
 /// Points on a sphere of certified diameter, as in section 3.2 of the 2016 paper.
 struct SphereTest {
   SphereFit fit;             ///< of the tip centres
+  Eigen::Matrix3Xd outward;  ///< from the fitted centre to each tip, of length 1; along it lies the
+                             ///< point's residual
   double diameter_mm = 0.0;  ///< with the tip's diameter taken off
   double uncompensated_diameter_mm = 0.0;
   double diameter_error_mm = 0.0;  ///< measured - certified

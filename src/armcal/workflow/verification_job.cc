@@ -193,6 +193,7 @@ class VerificationJob {
       statistic.budgets = budgets_of(test, i);
       const auto limit = limit_of(test.stated, i);
       if (limit) statistic.limit = limit->text();
+      statistic.mpe = limit;
       const auto judged = [&](const TestResult& result) {
         return judge(result, limit,
                      uncertainties_of(statistic.budgets, test, result, result_.coverage_factor),

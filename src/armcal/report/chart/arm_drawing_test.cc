@@ -81,6 +81,13 @@ TEST(ArmDrawings, HostileNamesAndPlacesAreDrawn) {
   EXPECT_EQ(svg.root().select_node("//title").node().child("script"), pugi::xml_node());
 }
 
+TEST(ArmDrawings, AResidualThatIsFarTooLargeIsCutAndDashed) {
+  ArmDrawing drawing = random_drawing(6, 30);
+  EXPECT_EQ(SvgReader(figure_of(drawing).svg).count("./path[@stroke-dasharray='5 3']"), 0u);
+  drawing.scene.postures[4].residual_mm = Eigen::Vector3d(0.0, 1e6, 0.0);
+  EXPECT_EQ(SvgReader(figure_of(drawing).svg).count("./path[@stroke-dasharray='5 3']"), 1u);
+}
+
 TEST(ArmDrawings, AreTheSameEveryTime) {
   EXPECT_EQ(figure_of(random_drawing(7, 20)).svg, figure_of(random_drawing(7, 20)).svg);
 }

@@ -45,9 +45,9 @@ TEST(HeatMaps, ALargeOneStaysSmallAndNamesItsStrongestCells) {
 TEST(HeatMaps, SignsCanBeReadWithoutColours) {
   HeatMap map = random_map(20, 20);
   map.values.setConstant(-0.5);
-  const auto dashes = SvgReader(figure_of(map).svg).starts("./path[@class='sign']").size();
+  const auto dashes = SvgReader(figure_of(map).svg).starts("./path[@class='cell-sign']").size();
   map.values.setConstant(0.5);
-  const auto crosses = SvgReader(figure_of(map).svg).starts("./path[@class='sign']").size();
+  const auto crosses = SvgReader(figure_of(map).svg).starts("./path[@class='cell-sign']").size();
   EXPECT_EQ(dashes, 400u);
   EXPECT_EQ(crosses, 800u);
 }

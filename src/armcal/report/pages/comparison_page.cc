@@ -123,7 +123,7 @@ Page drawn_arms(const DocumentView& document, const Language& say) {
       {{say("compare.arms"), whole(document.number("repeats"))},
        {say("compare.budget"), whole(document.number("budget"))},
        {say("compare.u_reference"), fmt::format("{:g} mm", document.number("u_reference_mm"))},
-       {say("compare.floor"), fixed(document.number("noise_floor_mm"), 4) + " mm"}}};
+       {say("compare.floor_fact"), fixed(document.number("noise_floor_mm"), 4) + " mm"}}};
   page.sections.push_back({"methods",
                            say("compare.methods"),
                            say("compare.drawn_lead"),

@@ -1,0 +1,315 @@
+// SPDX-FileCopyrightText: the armcal authors
+// SPDX-License-Identifier: Apache-2.0
+#include "armcal/report/pages/verification_page.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <set>
+
+#include "armcal/report/number_format.h"
+#include "armcal/report/pages/shown_number.h"
+#include "armcal/report/pages/verdict_words.h"
+#include "armcal/report/pages/verification_budgets.h"
+#include "armcal/report/pages/verification_figures.h"
+#include "armcal/report/pages/verification_values.h"
+
+namespace armcal {
+namespace {
+
+constexpr std::array kRules = {"iso14253-1", "conformance-probability", "simple-acceptance",
+                               "guard-band"};
+
+struct Tally {
+  std::size_t judged = 0, passed = 0, failed = 0, undecided = 0, incomplete = 0;
+};
+
+Tally tally_of(const std::vector<VerifiedRow>& rows) {
+  Tally tally;
+  for (const VerifiedRow& row : rows) {
+    const Verdict verdict = row.judged.verdict;
+    if (verdict != Verdict::not_judged) ++tally.judged;
+    if (verdict == Verdict::pass) ++tally.passed;
+    if (verdict == Verdict::fail) ++tally.failed;
+    if (verdict == Verdict::undecided) ++tally.undecided;
+    if (!row.judged.is_complete) ++tally.incomplete;
+  }
+  return tally;
+}
+
+Stamp stamp_of(const DocumentView& document, const std::vector<VerifiedRow>& rows,
+               const Language& say) {
+  const Verdict verdict = verdict_in(document);
+  const Tally tally = tally_of(rows);
+  std::vector<std::string> sentences;
+  switch (verdict) {
+    case Verdict::pass:
+      sentences.push_back(say("verification.sentence.pass", tally.passed, rows.size()));
+      break;
+    case Verdict::fail:
+      sentences.push_back(say("verification.sentence.fail", tally.failed, rows.size()));
+      break;
+    case Verdict::undecided:
+      sentences.push_back(say("verification.sentence.undecided", tally.undecided, rows.size()));
+      break;
+    case Verdict::not_judged:
+      sentences.push_back(say("verification.sentence.not_judged"));
+  }
+  if (document.has("as_found_verdict")) {
+    sentences.push_back(say("verification.sentence.as_found",
+                            word_of(verdict_in(document, "as_found_verdict"), say)));
+  }
+  if (tally.incomplete > 0) {
+    sentences.push_back(say("verification.sentence.incomplete", tally.incomplete, rows.size()));
+  }
+  Stamp stamp = armcal::stamp_of(verdict, run_on(sentences, say), say);
+  // What passes but is no test of the standard is no plain pass.
+  if (tally.incomplete > 0 && verdict == Verdict::pass) stamp.tone = Tone::warning;
+  return stamp;
+}
+
+struct Nearest {
+  const VerifiedRow* row = nullptr;
+  double share = 0.0;
+  Verdict verdict = Verdict::not_judged;
+};
+
+// The statistic that takes the largest share of its limit.
+template <typename ValueOf>
+Nearest nearest_of(const std::vector<VerifiedRow>& rows, const ValueOf& value_of) {
+  Nearest nearest;
+  for (const VerifiedRow& row : rows) {
+    const VerifiedValue* value = value_of(row);
+    if (value == nullptr || !value->share_of_mpe) continue;
+    if (nearest.row != nullptr && *value->share_of_mpe <= nearest.share) continue;
+    nearest = {&row, *value->share_of_mpe, value->verdict};
+  }
+  return nearest;
+}
+
+void add_share(const Nearest& nearest, const char* label, const Language& say,
+               Headlines& headlines) {
+  if (nearest.row == nullptr) return;
+  headlines.items.push_back({say(label), percent_text(nearest.share), "%",
+                             say("verification.share_note", nearest.row->title),
+                             tone_of(nearest.verdict)});
+}
+
+void add_probability(const std::vector<VerifiedRow>& rows, const Language& say,
+                     Headlines& headlines) {
+  const VerifiedRow* least = nullptr;
+  for (const VerifiedRow& row : rows) {
+    const auto& probability = row.judged.conformance_probability;
+    if (!probability) continue;
+    if (least == nullptr || *probability < *least->judged.conformance_probability) least = &row;
+  }
+  if (least == nullptr) return;
+  constexpr double kAsGoodAsCertain = 0.999;
+  const double probability = *least->judged.conformance_probability;
+  std::string text = percent_text(probability, 1);
+  if (probability > kAsGoodAsCertain) text = fmt::format("> {}", percent_text(kAsGoodAsCertain, 1));
+  if (probability < 1.0 - kAsGoodAsCertain) {
+    text = fmt::format("< {}", percent_text(1.0 - kAsGoodAsCertain, 1));
+  }
+  headlines.items.push_back({say("verification.probability"), text, "%",
+                             say("verification.probability_note", least->title), Tone::neutral});
+}
+
+Headlines headlines_of(const std::vector<VerifiedRow>& rows, const DocumentView& document,
+                       const Language& say) {
+  Headlines headlines;
+  const Tally tally = tally_of(rows);
+  headlines.items.push_back(
+      {say("verification.tests_passed"), fmt::format("{} / {}", tally.passed, tally.judged), "",
+       tally.judged == 0 ? say("verification.no_limits")
+                         : say("verification.tests_passed_note", tally.failed, tally.undecided),
+       tone_of(verdict_in(document))});
+  const bool has_both = document.has("as_found_verdict");
+  if (has_both) {
+    add_share(
+        nearest_of(rows,
+                   [](const VerifiedRow& row) { return row.as_found ? &*row.as_found : nullptr; }),
+        "verification.largest_share_as_found", say, headlines);
+  }
+  add_share(nearest_of(rows, [](const VerifiedRow& row) { return &row.judged; }),
+            has_both ? "verification.largest_share_as_left" : "verification.largest_share", say,
+            headlines);
+  add_probability(rows, say, headlines);
+  return headlines;
+}
+
+Notice incomplete_notice(const std::vector<VerifiedRow>& rows, const Language& say) {
+  Notice notice{Tone::warning, say("verification.incomplete"), {}};
+  std::set<std::string> told;
+  for (const VerifiedRow& row : rows) {
+    for (const std::string& missing : row.judged.missing) {
+      std::string line = say("verification.missing", row.test, missing);
+      if (told.insert(line).second) notice.lines.push_back(std::move(line));
+    }
+  }
+  return notice;
+}
+
+// A seat is no artefact: where nothing is known to be uncertain, nothing is claimed to be exact.
+std::optional<double> claimed(const std::optional<double>& U_mm) {
+  return U_mm && *U_mm > 0.0 ? U_mm : std::nullopt;
+}
+
+std::vector<Cell> cells_of(const VerifiedRow& row, bool has_both, const Language& say) {
+  const VerifiedValue& judged = row.judged;
+  std::vector<Cell> cells = {{row.title}, {judged.symbol.empty() ? "\u2013" : judged.symbol}};
+  if (has_both) {
+    const VerifiedValue& found = row.as_found ? *row.as_found : judged;
+    cells.push_back({mm_text(found.value_mm, found.U_mm)});
+    cells.push_back(verdict_cell(found.verdict, say));
+    cells.push_back({row.as_found ? mm_text(judged.value_mm, judged.U_mm) : mm_text({})});
+  } else {
+    cells.push_back({mm_text(judged.value_mm, judged.U_mm)});
+  }
+  cells.insert(cells.end(), {{mm_text(judged.mpe_mm)},
+                             {mm_text(claimed(judged.U_mm), judged.U_mm)},
+                             {percent_text(judged.share_of_mpe)},
+                             verdict_cell(judged.verdict, say)});
+  return cells;
+}
+
+Table tests_table(const std::vector<VerifiedRow>& rows, bool has_both, double coverage_factor,
+                  const Language& say) {
+  Table table;
+  table.caption = say("verification.tests");
+  table.columns = {{say("verification.test"), false}, {say("verification.symbol"), false}};
+  if (has_both) {
+    table.columns.insert(table.columns.end(), {{say("verification.as_found_mm")},
+                                               {say("verification.verdict_as_found"), false},
+                                               {say("verification.as_left_mm")}});
+  } else {
+    table.columns.push_back({say("verification.value_mm")});
+  }
+  table.columns.insert(table.columns.end(),
+                       {{say("verification.mpe_mm")},
+                        {say("verification.U_mm", fmt::format("{:g}", coverage_factor))},
+                        {say("verification.share")},
+                        {say("verification.verdict_column"), false}});
+  for (const VerifiedRow& row : rows) table.rows.push_back(cells_of(row, has_both, say));
+  table.note = say("verification.tests_note");
+  return table;
+}
+
+std::string rule_in_words(const DocumentView& decision, const Language& say) {
+  const std::string rule = decision.text("rule");
+  if (std::find(kRules.begin(), kRules.end(), rule) == kRules.end()) {
+    decision["rule"].complain("is no decision rule of this armcal");
+  }
+  return say(fmt::format("verification.rule.{}", rule),
+             fmt::format("{:g}", decision.number("coverage_factor")),
+             percent_text(decision.number_if("probability"), 1),
+             fmt::format("{:g}", decision.number_if("guard_factor").value_or(1.0)));
+}
+
+Facts basis_of(const DocumentView& document, const Language& say) {
+  const std::string own = say("verification.own_software");
+  Facts facts;
+  facts.rows = {{say("verification.standard"), document.text("standard")}};
+  if (const auto left = document.text_if("as_left_arm")) {
+    facts.rows.emplace_back(say("verification.arm_as_found"),
+                            document.text_if("arm").value_or(own));
+    facts.rows.emplace_back(say("verification.arm_as_left"), *left);
+  } else {
+    facts.rows.emplace_back(say("verification.arm"), document.text_if("arm").value_or(own));
+  }
+  if (const auto reach = document.number_if("reach_mm")) {
+    facts.rows.emplace_back(say("verification.reach"), fmt::format("{} mm", fixed(*reach, 1)));
+  }
+  const double k = document["decision"].number("coverage_factor");
+  facts.rows.emplace_back(say("verification.coverage_factor"), fmt::format("k = {:g}", k));
+  return facts;
+}
+
+const VerifiedPart* part_named(const VerifiedValue& value) {
+  const auto at = std::find_if(value.parts.begin(), value.parts.end(),
+                               [&](const auto& part) { return part.name == value.decided_by; });
+  return at == value.parts.end() ? nullptr : &*at;
+}
+
+Table deciding_table(const std::vector<VerifiedRow>& rows, const Language& say) {
+  Table table;
+  table.caption = say("verification.decides");
+  table.columns = {{say("verification.test"), false},
+                   {say("verification.decided_by"), false},
+                   {say("verification.from"), false},
+                   {say("verification.limit"), false}};
+  for (const VerifiedRow& row : rows) {
+    if (row.judged.decided_by.empty()) continue;
+    const VerifiedPart* part = part_named(row.judged);
+    table.rows.push_back({{row.title},
+                          {row.judged.decided_by},
+                          {part == nullptr ? std::string() : part->where},
+                          {row.limit}});
+  }
+  return table;
+}
+
+Section summary_section(const DocumentView& document, const std::vector<VerifiedRow>& rows,
+                        const Language& say) {
+  Section section{"summary", say("verification.summary"), "", {}};
+  section.blocks.push_back(headlines_of(rows, document, say));
+  Notice incomplete = incomplete_notice(rows, say);
+  if (!incomplete.lines.empty()) section.blocks.emplace_back(std::move(incomplete));
+  const double k = document["decision"].number("coverage_factor");
+  section.blocks.push_back(tests_table(rows, document.has("as_found_verdict"), k, say));
+  return section;
+}
+
+Section judgement_section(const DocumentView& document, const std::vector<VerifiedRow>& rows,
+                          const Language& say) {
+  Section section{"judgement",
+                  say("verification.judgement"),
+                  say("verification.decided_so", rule_in_words(document["decision"], say)),
+                  {}};
+  section.blocks.push_back(basis_of(document, say));
+  section.blocks.push_back(Figures{{limit_figure(rows, document["decision"].text("rule"), say)}});
+  Table deciding = deciding_table(rows, say);
+  if (!deciding.rows.empty()) section.blocks.emplace_back(std::move(deciding));
+  return section;
+}
+
+std::optional<Section> values_section(const std::vector<VerifiedRow>& rows, const Language& say) {
+  Section section{"values", say("verification.values"), say("verification.values_lead"), {}};
+  Table few = few_parts_table(rows, say);
+  if (!few.rows.empty()) section.blocks.emplace_back(std::move(few));
+  Figures figures = part_figures(rows, say);
+  if (!figures.items.empty()) section.blocks.emplace_back(std::move(figures));
+  if (section.blocks.empty()) return std::nullopt;
+  return section;
+}
+
+Section definitions_section(const std::vector<VerifiedRow>& rows, const Language& say) {
+  Table table;
+  table.columns = {{say("verification.test"), false}, {say("verification.definition"), false}};
+  std::set<std::string> told;
+  for (const VerifiedRow& row : rows) {
+    if (told.insert(row.definition).second) table.rows.push_back({{row.title}, {row.definition}});
+  }
+  return {"definitions", say("verification.definitions"), "", {table}};
+}
+
+}  // namespace
+
+Page verification_page(const DocumentView& document, const Language& say) {
+  const std::vector<VerifiedRow> rows = verified_rows(document, say);
+  Page page;
+  page.title = say("verification.title", document.text("standard"));
+  page.subtitle = document.text("name");
+  page.stamp = stamp_of(document, rows, say);
+  page.sections.push_back(summary_section(document, rows, say));
+  page.sections.push_back(judgement_section(document, rows, say));
+  if (auto values = values_section(rows, say)) page.sections.push_back(std::move(*values));
+  if (auto budgets = budgets_section(document, rows, say)) {
+    page.sections.push_back(std::move(*budgets));
+  }
+  page.sections.push_back(definitions_section(rows, say));
+  return page;
+}
+
+}  // namespace armcal

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: the armcal authors
+// SPDX-License-Identifier: Apache-2.0
+#include "armcal/report/pages/verification_values.h"
+
+#include <cmath>
+
+#include "armcal/report/pages/phrase_book.h"
+#include "armcal/report/pages/verdict_words.h"
+
+namespace armcal {
+namespace {
+
+constexpr const char* kPhrases = "verification.phrase";
+
+VerifiedPart part_of(const DocumentView& part, const Language& say) {
+  return {.name = in_language(part.text("name"), kPhrases, say),
+          .where = part.text("where"),
+          .value_mm = part.has("value_mm") ? part.number("value_mm") : std::nan(""),
+          .length_mm = part.number_if("length_mm"),
+          .mpe_mm = part.number_if("mpe_mm")};
+}
+
+VerifiedValue value_of(const DocumentView& judged, const Language& say) {
+  VerifiedValue value;
+  value.value_mm = judged.number_if("value_mm");
+  value.largest_mm = judged.number_if("largest_mm");
+  value.mpe_mm = judged.number_if("mpe_mm");
+  value.U_mm = judged.number_if("U_mm");
+  value.guard_mm = judged.number_if("guard_mm");
+  value.share_of_mpe = judged.number_if("share_of_mpe");
+  value.conformance_probability = judged.number_if("conformance_probability");
+  value.verdict = verdict_in(judged);
+  value.is_complete = judged.flag("complete");
+  value.symbol = judged.text_if("symbol").value_or("");
+  value.decided_by = in_language(judged.text_if("decided_by").value_or(""), kPhrases, say);
+  for (const std::string& each : judged.texts("missing")) {
+    value.missing.push_back(in_language(each, kPhrases, say));
+  }
+  for (const DocumentView& each : judged.list("parts")) value.parts.push_back(part_of(each, say));
+  return value;
+}
+
+VerifiedRow row_of(const DocumentView& test, const Language& say) {
+  VerifiedRow row;
+  const std::string name = test.text("name");
+  row.test = test.text("test");
+  row.title = in_language(name, kPhrases, say);
+  // Results that were saved before they had a title have names alone.
+  if (test.text_if("title").value_or(name) != name) {
+    row.title = say("verification.title_of_test", row.title, row.test);
+  }
+  row.definition = in_language(test.text("definition"), kPhrases, say);
+  row.limit = test.text_if("limit").value_or("");
+  row.is_signed = test.has("is_signed") && test.flag("is_signed");
+  row.judged = value_of(test, say);
+  if (test.has("as_found")) row.as_found = value_of(test["as_found"], say);
+  return row;
+}
+
+}  // namespace
+
+std::vector<VerifiedRow> verified_rows(const DocumentView& document, const Language& say) {
+  std::vector<VerifiedRow> rows;
+  for (const DocumentView& test : document.list("tests")) rows.push_back(row_of(test, say));
+  return rows;
+}
+
+}  // namespace armcal
