@@ -114,7 +114,7 @@ class LiveScene {
       this.canvas.setAttribute(key, value);
     }
     this.readout = element("p", { class: "readout" });
-    this.panel = panelOf(this.model, {
+    this.panel = panelOf(this.model, this.figure.classList.contains("wide"), {
       turn: (i, deg) => this.turn(i, deg),
       choose: (index) => this.choose(index),
       enlarge: (factor) => {
