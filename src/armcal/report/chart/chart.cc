@@ -22,7 +22,7 @@ constexpr double kLeastEqualHeight = 240.0, kMostEqualHeight = 520.0;  // of equ
 constexpr double kRight = 14.0;                                        // margin
 constexpr double kBelow = 42.0;     // of tick texts and the label of x
 constexpr double kTitleRow = 20.0;  // of the label of y
-constexpr double kPerTickX = 72.0;  // way between ticks, about
+constexpr double kPerTickX = 56.0;  // way between ticks, about
 constexpr double kPerTickY = 42.0;
 
 struct Ranges {
@@ -195,15 +195,12 @@ class ChartPicture {
       drawing.text(x.from() - 7.0, at + 4.5, tick.text,
                    {.style = "tick", .anchor = TextAnchor::end});
     }
-    double free_from = 0.0;
-    for (const ChartTick& tick : x.ticks(ticks_along(x, kPerTickX))) {
+    for (const ChartTick& tick : x.ticks_below(ticks_along(x, kPerTickX), kTextSize)) {
       const double at = x.at(tick.value);
       grid += fmt::format("M{}V{}", point(at, bottom), coordinate(y.to()));
       marks += fmt::format("M{}v4", point(at, bottom));
       const double half = 0.5 * text_width(tick.text, kTextSize);
       const double middle = std::min(at, width_ - half);
-      if (tick.text.empty() || middle - half < free_from) continue;
-      free_from = middle + half + 6.0;
       drawing.text(middle, bottom + 17.0, tick.text,
                    {.style = "tick", .anchor = TextAnchor::middle});
     }

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "armcal/report/chart/svg.h"
 #include "armcal/report/number_format.h"
 
 namespace armcal {
@@ -14,7 +15,8 @@ namespace {
 
 constexpr double kRoom = 0.04;         // of the length of an axis, beyond the data
 constexpr double kFewestParts = 1e-9;  // of its magnitude that a range is long
-constexpr double kLargest = 1e300;     // differences of what is drawn are finite
+constexpr double kBetweenTexts = 5.0;
+constexpr double kLargest = 1e300;  // differences of what is drawn are finite
 constexpr double kSmallest = 1e-300;
 constexpr double kFewer = 0.8;      // of a step: a few ticks more rather than half as many
 constexpr int kMostPerName = 5;     // decades that have a mark each, if only one of so many a name
@@ -132,6 +134,21 @@ std::vector<ChartTick> ChartScale::ticks(int about) const {
   const auto named = std::count_if(ticks.begin(), ticks.end(),
                                    [](const ChartTick& tick) { return !tick.text.empty(); });
   return named >= 3 ? ticks : linear_ticks(about);
+}
+
+std::vector<ChartTick> ChartScale::ticks_below(int about, double text_size) const {
+  for (;; --about) {
+    std::vector<ChartTick> fewer = ticks(about);
+    double free_from = -HUGE_VAL;
+    bool is_free = true;
+    for (const ChartTick& tick : fewer) {
+      if (tick.text.empty()) continue;
+      const double half = 0.5 * text_width(tick.text, text_size);
+      is_free = is_free && at(tick.value) - half >= free_from;
+      free_from = at(tick.value) + half + kBetweenTexts;
+    }
+    if (is_free || about <= 1) return fewer;
+  }
 }
 
 std::vector<ChartTick> ChartScale::linear_ticks(int about) const {

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "armcal/core/random.h"
+#include "armcal/report/chart/svg.h"
 
 namespace armcal {
 namespace {
@@ -79,6 +80,22 @@ TEST(ChartScale, NumbersHaveATrueMinusAndPowersAreShort) {
   const auto small = ChartScale(AxisScale::linear, {0.0, 3e-9}, 0.0, 400.0).ticks(4);
   EXPECT_EQ(small[0].text, "0");
   EXPECT_EQ(small[1].text, "1\u00d710\u207b\u2079");
+}
+
+TEST(ChartScale, TextsBelowAnAxisDoNotMeetAndStayEven) {
+  RandomStream random(4);
+  for (int trial = 0; trial < 100; ++trial) {
+    const double low = random.uniform(-1e4, 1e4);
+    const ChartScale scale(AxisScale::linear, {low, low + std::pow(10.0, random.uniform(-4, 4))},
+                           50.0, 460.0);
+    const auto ticks = scale.ticks_below(9, 13.0);
+    for (std::size_t i = 1; i < ticks.size(); ++i) {
+      const double way = scale.at(ticks[i].value) - scale.at(ticks[i - 1].value);
+      const double widths = text_width(ticks[i].text + ticks[i - 1].text, 13.0);
+      EXPECT_GE(way, 0.5 * widths);
+      EXPECT_FALSE(ticks[i].text.empty());
+    }
+  }
 }
 
 TEST(ChartScale, AnAxisOfAnyDataHasALengthThatCanBeDivided) {
