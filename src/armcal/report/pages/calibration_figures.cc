@@ -19,7 +19,7 @@
 #include "armcal/report/chart/interval_chart.h"
 #include "armcal/report/number_format.h"
 #include "armcal/report/pages/arm_of.h"
-#include "armcal/report/pages/shown_number.h"
+#include "armcal/report/shown_number.h"
 
 namespace armcal {
 namespace {

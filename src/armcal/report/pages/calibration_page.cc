@@ -11,7 +11,7 @@
 #include "armcal/report/number_format.h"
 #include "armcal/report/pages/calibration_figures.h"
 #include "armcal/report/pages/parameter_table.h"
-#include "armcal/report/pages/shown_number.h"
+#include "armcal/report/shown_number.h"
 
 namespace armcal {
 namespace {

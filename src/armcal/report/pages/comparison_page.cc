@@ -10,7 +10,7 @@
 #include "armcal/report/chart/chart.h"
 #include "armcal/report/comparison_cells.h"
 #include "armcal/report/number_format.h"
-#include "armcal/report/pages/shown_number.h"
+#include "armcal/report/shown_number.h"
 
 namespace armcal {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "armcal/report/number_format.h"
 #include "armcal/report/pages/calibration_page.h"
-#include "armcal/report/pages/shown_number.h"
 #include "armcal/report/pages/symmetric_point_page.h"
+#include "armcal/report/shown_number.h"
 
 namespace armcal {
 namespace {

@@ -13,7 +13,7 @@
 #include "armcal/report/chart/heat_map.h"
 #include "armcal/report/number_format.h"
 #include "armcal/report/pages/arm_of.h"
-#include "armcal/report/pages/shown_number.h"
+#include "armcal/report/shown_number.h"
 
 namespace armcal {
 namespace {
