@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
 #include <kainjow/mustache.hpp>
 #include <nlohmann/json.hpp>
@@ -265,7 +266,8 @@ std::string html_of(const Page& page, const Language& language, const std::strin
   data.set("subtitle", text_or_false(page.subtitle));
   data.set("number", text_or_false(page.number));
   data.set("head", data_of(page.head));
-  data.set("has_head", boolean(!page.head.rows.empty()));
+  data.set("has_head", boolean(std::any_of(page.head.rows.begin(), page.head.rows.end(),
+                                           [](const auto& row) { return !row.second.empty(); })));
   Data stamp(Data::type::bool_false);
   if (!page.stamp.word.empty()) {
     stamp = Data();
