@@ -161,8 +161,7 @@ std::vector<Cell> cells_of(const VerifiedRow& row, bool has_both, const Language
   std::vector<Cell> cells = {{row.title}, {judged.symbol.empty() ? "\u2013" : judged.symbol}};
   if (has_both) {
     const VerifiedValue& found = row.as_found ? *row.as_found : judged;
-    cells.push_back({mm_text(found.value_mm, found.U_mm)});
-    cells.push_back(verdict_cell(found.verdict, say));
+    cells.push_back({mm_text(found.value_mm, found.U_mm), tone_of(found.verdict)});
     cells.push_back({row.as_found ? mm_text(judged.value_mm, judged.U_mm) : mm_text({})});
   } else {
     cells.push_back({mm_text(judged.value_mm, judged.U_mm)});
@@ -180,9 +179,8 @@ Table tests_table(const std::vector<VerifiedRow>& rows, bool has_both, double co
   table.caption = say("verification.tests");
   table.columns = {{say("verification.test"), false}, {say("verification.symbol"), false}};
   if (has_both) {
-    table.columns.insert(table.columns.end(), {{say("verification.as_found_mm")},
-                                               {say("verification.verdict_as_found"), false},
-                                               {say("verification.as_left_mm")}});
+    table.columns.push_back({say("verification.as_found_mm")});
+    table.columns.push_back({say("verification.as_left_mm")});
   } else {
     table.columns.push_back({say("verification.value_mm")});
   }
@@ -193,6 +191,7 @@ Table tests_table(const std::vector<VerifiedRow>& rows, bool has_both, double co
                         {say("verification.verdict_column"), false}});
   for (const VerifiedRow& row : rows) table.rows.push_back(cells_of(row, has_both, say));
   table.note = say("verification.tests_note");
+  if (has_both) table.note = run_on({table.note, say("verification.as_found_note")}, say);
   return table;
 }
 

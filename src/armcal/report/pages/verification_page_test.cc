@@ -111,7 +111,7 @@ TEST(VerificationPage, SetsAsFoundBesideAsLeft) {
   const Page page = page_of_example(verification);
   EXPECT_EQ(page.stamp.word, "Pass");
   EXPECT_THAT(page.stamp.sentence, HasSubstr("The arm as found: fail."));
-  EXPECT_THAT(words_of(page), HasSubstr("| 0.0811 | fail | 0.0110 | 0.0360 |"));
+  EXPECT_THAT(words_of(page), HasSubstr("| 0.0811 | 0.0110 | 0.0360 |"));
   EXPECT_THAT(words_of(page), HasSubstr("Arm as left: left.arm.toml"));
 }
 
