@@ -56,19 +56,6 @@ LimitBarRow bar_of(const VerifiedRow& row, bool has_middle, const Language& say)
   return bar;
 }
 
-constexpr std::size_t kEnoughForChart = 4;
-
-// Has the row before of the same test the same values?
-bool are_shown_already(const VerifiedRow& row, const VerifiedRow* before) {
-  const auto& parts = row.judged.parts;
-  if (before == nullptr || before->test != row.test) return false;
-  const auto& others = before->judged.parts;
-  return std::equal(parts.begin(), parts.end(), others.begin(), others.end(),
-                    [](const VerifiedPart& one, const VerifiedPart& other) {
-                      return one.name == other.name && one.value_mm == other.value_mm;
-                    });
-}
-
 bool have_lengths(const VerifiedRow& row) {
   return std::all_of(row.judged.parts.begin(), row.judged.parts.end(),
                      [](const VerifiedPart& part) { return part.length_mm.has_value(); });
@@ -179,38 +166,10 @@ Figure limit_figure(const std::vector<VerifiedRow>& rows, const std::string& rul
 Figures part_figures(const std::vector<VerifiedRow>& rows, const Language& say) {
   Figures figures;
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (rows[i].judged.parts.size() < kEnoughForChart) continue;
-    if (are_shown_already(rows[i], i > 0 ? &rows[i - 1] : nullptr)) continue;
+    if (!are_worth_a_chart(rows[i]) || repeats_parts(rows, i)) continue;
     figures.items.push_back(part_figure(rows[i], i + 1, say));
   }
   return figures;
-}
-
-Table few_parts_table(const std::vector<VerifiedRow>& rows, const Language& say) {
-  const bool has_both = std::any_of(
-      rows.begin(), rows.end(), [](const VerifiedRow& row) { return row.as_found.has_value(); });
-  Table table;
-  table.columns = {{say("verification.test"), false}, {say("verification.part"), false}};
-  if (has_both) table.columns.push_back({say("verification.as_found_mm")});
-  table.columns.push_back({say(has_both ? "verification.as_left_mm" : "verification.value_mm")});
-  table.columns.push_back({say("verification.from"), false});
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const VerifiedValue& judged = rows[i].judged;
-    if (judged.parts.size() >= kEnoughForChart) continue;
-    if (are_shown_already(rows[i], i > 0 ? &rows[i - 1] : nullptr)) continue;
-    for (std::size_t p = 0; p < judged.parts.size(); ++p) {
-      const VerifiedPart& part = judged.parts[p];
-      std::vector<Cell> cells = {{rows[i].title}, {part.name}};
-      const auto& found = rows[i].as_found;
-      if (has_both) {
-        const bool is_there = found && p < found->parts.size();
-        cells.push_back({is_there ? mm_text(found->parts[p].value_mm, found->U_mm) : mm_text({})});
-      }
-      cells.insert(cells.end(), {{mm_text(part.value_mm, judged.U_mm)}, {part.where}});
-      table.rows.push_back(std::move(cells));
-    }
-  }
-  return table;
 }
 
 }  // namespace armcal

@@ -13,6 +13,7 @@
 #include "armcal/report/pages/verdict_words.h"
 #include "armcal/report/pages/verification_budgets.h"
 #include "armcal/report/pages/verification_figures.h"
+#include "armcal/report/pages/verification_tables.h"
 #include "armcal/report/pages/verification_values.h"
 
 namespace armcal {
@@ -64,6 +65,7 @@ Stamp stamp_of(const DocumentView& document, const std::vector<VerifiedRow>& row
     sentences.push_back(say("verification.sentence.incomplete", tally.incomplete, rows.size()));
   }
   Stamp stamp = armcal::stamp_of(verdict, run_on(sentences, say), say);
+  if (tally.incomplete > 0) stamp.word = say("verification.stamp.incomplete", stamp.word);
   // What passes but is no test of the standard is no plain pass.
   if (tally.incomplete > 0 && verdict == Verdict::pass) stamp.tone = Tone::warning;
   return stamp;
@@ -151,50 +153,6 @@ Notice incomplete_notice(const std::vector<VerifiedRow>& rows, const Language& s
   return notice;
 }
 
-// A seat is no artefact: where nothing is known to be uncertain, nothing is claimed to be exact.
-std::optional<double> claimed(const std::optional<double>& U_mm) {
-  return U_mm && *U_mm > 0.0 ? U_mm : std::nullopt;
-}
-
-std::vector<Cell> cells_of(const VerifiedRow& row, bool has_both, const Language& say) {
-  const VerifiedValue& judged = row.judged;
-  std::vector<Cell> cells = {{row.title}, {judged.symbol.empty() ? "\u2013" : judged.symbol}};
-  if (has_both) {
-    const VerifiedValue& found = row.as_found ? *row.as_found : judged;
-    cells.push_back({mm_text(found.value_mm, found.U_mm), tone_of(found.verdict)});
-    cells.push_back({row.as_found ? mm_text(judged.value_mm, judged.U_mm) : mm_text({})});
-  } else {
-    cells.push_back({mm_text(judged.value_mm, judged.U_mm)});
-  }
-  cells.insert(cells.end(), {{mm_text(judged.mpe_mm)},
-                             {mm_text(claimed(judged.U_mm), judged.U_mm)},
-                             {percent_text(judged.share_of_mpe)},
-                             verdict_cell(judged.verdict, say)});
-  return cells;
-}
-
-Table tests_table(const std::vector<VerifiedRow>& rows, bool has_both, double coverage_factor,
-                  const Language& say) {
-  Table table;
-  table.caption = say("verification.tests");
-  table.columns = {{say("verification.test"), false}, {say("verification.symbol"), false}};
-  if (has_both) {
-    table.columns.push_back({say("verification.as_found_mm")});
-    table.columns.push_back({say("verification.as_left_mm")});
-  } else {
-    table.columns.push_back({say("verification.value_mm")});
-  }
-  table.columns.insert(table.columns.end(),
-                       {{say("verification.mpe_mm")},
-                        {say("verification.U_mm", fmt::format("{:g}", coverage_factor))},
-                        {say("verification.share")},
-                        {say("verification.verdict_column"), false}});
-  for (const VerifiedRow& row : rows) table.rows.push_back(cells_of(row, has_both, say));
-  table.note = say("verification.tests_note");
-  if (has_both) table.note = run_on({table.note, say("verification.as_found_note")}, say);
-  return table;
-}
-
 std::string rule_in_words(const DocumentView& decision, const Language& say) {
   const std::string rule = decision.text("rule");
   if (std::find(kRules.begin(), kRules.end(), rule) == kRules.end()) {
@@ -223,30 +181,6 @@ Facts basis_of(const DocumentView& document, const Language& say) {
   const double k = document["decision"].number("coverage_factor");
   facts.rows.emplace_back(say("verification.coverage_factor"), fmt::format("k = {:g}", k));
   return facts;
-}
-
-const VerifiedPart* part_named(const VerifiedValue& value) {
-  const auto at = std::find_if(value.parts.begin(), value.parts.end(),
-                               [&](const auto& part) { return part.name == value.decided_by; });
-  return at == value.parts.end() ? nullptr : &*at;
-}
-
-Table deciding_table(const std::vector<VerifiedRow>& rows, const Language& say) {
-  Table table;
-  table.caption = say("verification.decides");
-  table.columns = {{say("verification.test"), false},
-                   {say("verification.decided_by"), false},
-                   {say("verification.from"), false},
-                   {say("verification.limit"), false}};
-  for (const VerifiedRow& row : rows) {
-    if (row.judged.decided_by.empty()) continue;
-    const VerifiedPart* part = part_named(row.judged);
-    table.rows.push_back({{row.title},
-                          {row.judged.decided_by},
-                          {part == nullptr ? std::string() : part->where},
-                          {row.limit}});
-  }
-  return table;
 }
 
 Section summary_section(const DocumentView& document, const std::vector<VerifiedRow>& rows,
@@ -284,13 +218,7 @@ std::optional<Section> values_section(const std::vector<VerifiedRow>& rows, cons
 }
 
 Section definitions_section(const std::vector<VerifiedRow>& rows, const Language& say) {
-  Table table;
-  table.columns = {{say("verification.test"), false}, {say("verification.definition"), false}};
-  std::set<std::string> told;
-  for (const VerifiedRow& row : rows) {
-    if (told.insert(row.definition).second) table.rows.push_back({{row.title}, {row.definition}});
-  }
-  return {"definitions", say("verification.definitions"), "", {table}};
+  return {"definitions", say("verification.definitions"), "", {definitions_table(rows, say)}};
 }
 
 }  // namespace

@@ -134,7 +134,8 @@ TEST(VerificationPage, WarnsOfWhatIsMissing) {
   result.missing = {"length 200 mm at 1 position, 7 are asked for"};
   const Page page = page_of_example(verification, "zh");
   EXPECT_EQ(page.stamp.tone, Tone::warning);
-  EXPECT_THAT(words_of(page), HasSubstr("length_uni：length 200 mm 只有 1 个位置，要求 7 个"));
+  EXPECT_THAT(words_of(page), HasSubstr("length_uni：长度 200 mm 只有 1 个位置，要求 7 个"));
+  EXPECT_EQ(page.stamp.word, "合格（不完整）");
   EXPECT_THAT(page.stamp.sentence, HasSubstr("缺少标准要求的读数"));
 }
 
