@@ -1,9 +1,14 @@
 // SPDX-FileCopyrightText: the armcal authors
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <filesystem>
 #include <memory>
 
 #include "armcal/cli/commands.h"
 #include "armcal/workflow/paper_demo.h"
+#include "armcal/workflow/programs.h"
 #include "armcal/workflow/virtual_demo.h"
 
 namespace armcal::cli {
@@ -11,16 +16,45 @@ namespace {
 
 struct Flags {
   std::optional<std::string> story;
+  bool open = false;
 };
 
-int run_demo(const Flags& flags, const Context& context) {
-  if (flags.story == "virtual") {
+// The demo's own file, made anew by every run; a folder for each user of the machine.
+std::string path_of_report(const std::string& story) {
+  const std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / fmt::format("armcal-demo-{}", getuid());
+  std::error_code failed;
+  std::filesystem::create_directories(folder, failed);
+  if (failed) throw FileError(fmt::format("cannot make the folder {}", folder.string()));
+  return (folder / (story + ".html")).string();
+}
+
+void tell(const std::string& story, const Context& context) {
+  if (story == "virtual") {
     const VirtualDemo demo = run_virtual_demo();
     context.emit(demo.inputs, {}, demo.json, demo.text, demo.seed);
-    return kDone;
+  } else {
+    const PaperDemo demo = run_paper_demo();
+    context.emit(demo.inputs, {}, demo.json, demo.text);
   }
-  const PaperDemo demo = run_paper_demo();
-  context.emit(demo.inputs, {}, demo.json, demo.text);
+}
+
+int run_demo(const Flags& flags, const Context& context) {
+  const std::string story = flags.story.value_or("paper");
+  if (context.report != nullptr) {
+    tell(story, context);
+  } else {
+    ReportOrder order = context.report_order;
+    order.html = path_of_report(story);
+    const ReportWriter report(order, Overwrite::allow, context.monitor);
+    Context reporting = context;
+    reporting.report = &report;
+    reporting.report_order = order;
+    tell(story, reporting);
+  }
+  if (flags.open) {
+    open_in_browser(context.report_order.html.value_or(path_of_report(story)));
+  }
   return kDone;
 }
 
@@ -38,13 +72,16 @@ Command demo_command() {
       "virtual: an arm whose true geometry is known, calibrated with a cone, with a cone and a "
       "bar, "
       "and with a reference\n"
-      "CMM; what the truth says of each.";
+      "CMM; what the truth says of each.\n"
+      "Each also writes its report, by default to a folder for temporary files, and ends with the "
+      "path.";
   command.arguments = {{"STORY",
                         "which one; paper if not given",
                         &flags->story,
                         "",
                         NumberRange::any,
-                        {"paper", "virtual"}}};
+                        {"paper", "virtual"}},
+                       {"--open", "open the report in a browser", &flags->open}};
   command.examples = {"armcal demo", "armcal demo paper --json", "armcal demo virtual"};
   command.run = [flags](const Context& context) { return run_demo(*flags, context); };
   return command;

@@ -374,6 +374,9 @@ TEST(Calibrations, AreTheSameOnAnyNumberOfThreads) {
   const Calibration one = calibrate(nominal, groups, {.threads = 1});
   const Calibration three = calibrate(nominal, groups, {.threads = 3});
   EXPECT_EQ(parameter_values(one.arm), parameter_values(three.arm));
+  ASSERT_EQ(one.residuals.size(), three.residuals.size());
+  for (std::size_t i = 0; i < one.residuals.size(); ++i)
+    EXPECT_EQ(one.residuals[i].components, three.residuals[i].components);
 }
 
 TEST(Identifiability, PromisesWhatTheCalibrationKeeps) {

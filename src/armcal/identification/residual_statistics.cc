@@ -48,9 +48,10 @@ void append_residuals(const Residual& residual, const ArmAt& at, const Unknowns&
     const std::size_t begin = result.size();
     for (Eigen::Index k = 0; k < count; ++k) {
       const RowComponents own_mm = differences(rows, size * k, size);
-      ObservationResidual each{&residual, first + k, own_mm.norm() / std::sqrt(points), {}, {}};
+      ObservationResidual each{
+          &residual, first + k, own_mm.norm() / std::sqrt(points), Eigen::Vector3d::Zero(), {}};
       const Eigen::Index shown = std::min<Eigen::Index>(3, size);
-      each.first_mm << own_mm.head(shown), Eigen::VectorXd::Zero(3 - shown);
+      each.first_mm.head(shown) = own_mm.head(shown);
       result.push_back(each);
     }
     residual.whiten(first, count, rows);
@@ -72,10 +73,13 @@ std::vector<ObservationResidual> residuals_of_observations(
     const std::vector<const Residual*>& residuals, const ArmModel& arm, const Unknowns& unknowns,
     const Eigen::VectorXd& x) {
   const ArmAt at{arm, TipRows(arm, {})};
-  // Derivatives by the arm would cost most of the time, and nobody asks for them.
+  // Without columns of the arm: derivatives would take longer than all the rest.
   const Unknowns places = unknowns.with_free({});
   const Eigen::VectorXd values = places.state_from(unknowns, x);
   std::vector<ObservationResidual> result;
+  Eigen::Index count = 0;
+  for (const Residual* residual : residuals) count += residual->count();
+  result.reserve(static_cast<std::size_t>(count));
   for (const Residual* residual : residuals)
     append_residuals(*residual, at, places, values, result);
   return result;

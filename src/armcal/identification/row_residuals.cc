@@ -55,9 +55,12 @@ std::vector<RowResidual> row_residuals(const std::vector<ObservationResidual>& r
 }
 
 void sort_rows(std::vector<RowResidual>& rows) {
-  std::stable_sort(rows.begin(), rows.end(), [](const RowResidual& one, const RowResidual& other) {
+  const auto before = [](const RowResidual& one, const RowResidual& other) {
     return std::tie(one.group, one.row) < std::tie(other.group, other.row);
-  });
+  };
+  // Mostly they are: then nothing is copied.
+  if (!std::is_sorted(rows.begin(), rows.end(), before))
+    std::sort(rows.begin(), rows.end(), before);
 }
 
 std::vector<double> lengths_of(const std::vector<ObservationResidual>& residuals) {

@@ -8,26 +8,15 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "armcal/core/units.h"
 #include "armcal/io/arm_file.h"
 #include "armcal/io/session_file.h"
 #include "armcal/report/calibration_rows.h"
 #include "armcal/report/number_format.h"
+#include "armcal/report/shown_number.h"
 #include "armcal/report/text_table.h"
 
 namespace armcal {
 namespace {
-
-// Angles are shown in degrees, harmonics (amplitudes of an error) in microradians.
-struct Shown {
-  double factor = 1.0;
-  const char* unit = "mm";
-};
-Shown shown(const CalibratedParameter& parameter) {
-  if (parameter.unit == ParameterUnit::mm) return {1.0, "mm"};
-  const bool harmonic = parameter.name.rfind("cos", 0) == 0 || parameter.name.rfind("sin", 0) == 0;
-  return harmonic ? Shown{1e6, "urad"} : Shown{degrees_from_radians(1.0), "deg"};
-}
 
 Json statistics_json(const ResidualStatistics& statistics) {
   return {{"count", statistics.count},
@@ -151,7 +140,7 @@ std::string parameters_text(const Calibration& calibration) {
                    {"status", Align::left}});
   for (const CalibratedParameter& each : calibration.parameters) {
     if (each.status == ParameterStatus::held && each.value == 0.0) continue;
-    const auto [factor, unit] = shown(each);
+    const auto [factor, unit] = shown_unit(each.name, to_string(each.unit));
     const bool held = each.status == ParameterStatus::held;
     const int decimals = held ? 4 : decimals_for_uncertainty(factor * each.u);
     std::string status(to_string(each.status));
@@ -324,7 +313,7 @@ std::string text_of_identifiability(const Calibration& look) {
                    {"status", Align::left}});
   for (const CalibratedParameter& each : look.parameters) {
     if (each.status == ParameterStatus::held) continue;
-    const auto [factor, unit] = shown(each);
+    const auto [factor, unit] = shown_unit(each.name, to_string(each.unit));
     const int decimals = decimals_for_uncertainty(factor * each.u);
     std::string status(to_string(each.status));
     if (each.status == ParameterStatus::prior)

@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "armcal/core/diagnostics.h"
+#include "armcal/workflow/programs.h"
 
 namespace armcal {
 namespace {
@@ -49,11 +50,6 @@ class WorkFolder {
  private:
   std::filesystem::path path_;
 };
-
-bool can_run(const std::filesystem::path& path) {
-  std::error_code ignored;
-  return std::filesystem::is_regular_file(path, ignored) && access(path.c_str(), X_OK) == 0;
-}
 
 std::string read_all(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
@@ -119,19 +115,12 @@ std::string last_line(const std::string& text) {
 
 std::string printing_browser() {
   if (const char* named = std::getenv("ARMCAL_BROWSER"); named != nullptr && *named != '\0') {
-    if (can_run(named)) return named;
+    if (is_program(named)) return named;
     throw FileError(fmt::format("ARMCAL_BROWSER names {}, which is no program", named));
   }
-  const char* path = std::getenv("PATH");
-  constexpr std::array kNames = {"chromium", "chromium-browser", "google-chrome",
-                                 "google-chrome-stable"};
-  for (const char* name : kNames) {
-    std::istringstream folders(path == nullptr ? "" : path);
-    for (std::string folder; std::getline(folders, folder, ':');) {
-      const auto program = std::filesystem::path(folder) / name;
-      if (can_run(program)) return program.string();
-    }
-  }
+  constexpr std::array<std::string_view, 4> kNames = {"chromium", "chromium-browser",
+                                                      "google-chrome", "google-chrome-stable"};
+  if (auto program = program_in_path(kNames)) return std::move(*program);
   throw FileError(
       "no Chromium to print with: install it, or open the HTML report in any browser and print it "
       "from there");

@@ -11,6 +11,8 @@
 #include "armcal/arm/parameter_table.h"
 #include "armcal/core/units.h"
 #include "armcal/numerics/linear_algebra.h"
+#include "armcal/report/calibration_report.h"
+#include "armcal/report/calibration_rows.h"
 #include "armcal/report/number_format.h"
 #include "armcal/report/text_table.h"
 #include "armcal/workflow/calibration_job.h"
@@ -201,6 +203,9 @@ VirtualDemo run_virtual_demo() {
   demo.json["drawing"] = json_of(drawing);
   demo.json["calibrations"] = Json::array();
   for (const Attempt& each : attempts) demo.json["calibrations"].push_back(json_of(each));
+  demo.json["reference_cmm"] = json_result(attempts[2].calibration);
+  demo.json["reference_cmm"]["rows"] =
+      json_of_rows(attempts[2].calibration, chosen(simulation, cmm));
   demo.json["cone"] = {{"refusal", blindness.refusal},
                        {"rms_mm", blindness.rms_mm},
                        {"rms_mm_of_grown_arm", blindness.rms_grown_mm},

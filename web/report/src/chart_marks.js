@@ -7,12 +7,12 @@ import { dashOf, isOutline, markRadius, seriesColour, shapePath } from "./shapes
 const TONES = { good: "--good", bad: "--bad", warning: "--warning", neutral: "--ink" };
 
 // Pixels of the canvas; NaN where a value has no place on a logarithmic axis.
-function at(u, key, value) {
+export function at(u, key, value) {
   const isMissing = value == null || (u.scales[key].distr === 3 && value <= 0);
   return isMissing ? NaN : u.valToPos(value, key, true);
 }
 
-function inPlot(u, draw) {
+export function inPlot(u, draw) {
   const { ctx, bbox } = u;
   ctx.save();
   ctx.beginPath();

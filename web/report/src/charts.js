@@ -4,6 +4,7 @@
 import uPlot from "uplot";
 import { legendOf } from "./chart_legend.js";
 import { drawLines, drawSeries } from "./chart_marks.js";
+import { drawTags } from "./chart_tags.js";
 import { describe, nearest, neighbour, pointsOf, tipOf } from "./chart_points.js";
 import { element } from "./element.js";
 import { livePlace } from "./figure.js";
@@ -97,7 +98,7 @@ class LiveChart {
         })),
       ],
       cursor: { points: { show: false }, drag: { x: true, y: true, uni: 24, setScale: false }, bind: { dblclick: () => () => this.reset() }, dataIdx: () => null },
-      hooks: { ready: [() => this.reset()], draw: [(u) => drawLines(u, model.lines, (size) => this.font(size))], setSelect: [(u) => this.zoomTo(u.select)] },
+      hooks: { ready: [() => this.reset()], draw: [(u) => drawLines(u, model.lines, (size) => this.font(size)), (u) => drawTags(u, model.series, (size) => this.font(size))], setSelect: [(u) => this.zoomTo(u.select)] },
     };
   }
 

@@ -14,18 +14,22 @@ import { artefactsOf, axesOf, groundOf, roundLength } from "./scene_world.js";
 import { colour, onThemeChange } from "./theme.js";
 import { say } from "./words.js";
 
+const VIEW_DEG = 35; // from top to bottom
 const INKS = { joint: "--scene-joint", link: "--scene-link", tip: "--ink", fit: "--series-0", check: "--series-1", artefact: "--series-2" };
 
-function hasWebGL() {
-  try {
-    return Boolean(document.createElement("canvas").getContext("webgl2"));
-  } catch {
-    return false;
+// One renderer for all scenes of a page: browsers allow few. Null where there are no 3-D graphics.
+let renderer;
+function sharedRenderer() {
+  if (renderer === undefined) {
+    const canvas = document.createElement("canvas");
+    const hasGraphics = Boolean(canvas.getContext("webgl2", { antialias: true, alpha: true }));
+    renderer = hasGraphics ? new WebGLRenderer({ canvas, antialias: true, alpha: true }) : null;
   }
+  return renderer;
 }
 
 export function liveScene(figure, model) {
-  if (!hasWebGL()) {
+  if (!sharedRenderer()) {
     figure.append(element("p", { class: "note" }, say("no_webgl")));
     return { id: figure.id, missing: true };
   }
@@ -36,6 +40,8 @@ class LiveScene {
   constructor(figure, model) {
     this.figure = figure;
     this.model = model;
+    this.frames = 0; // drawn so far
+    this.chosen = Math.floor(model.postures.length / 2); // of the measured postures; null: turned by hand
     this.q_deg = this.first();
     this.measure();
     this.furnish();
@@ -55,14 +61,15 @@ class LiveScene {
       setJoint: (i, deg) => this.turn(i, deg),
       setPosture: (index) => this.choose(index),
       postures: this.model.postures,
-      frames: () => this.renderer.info.render.frame,
+      frames: () => this.frames,
     };
   }
 
-  // The posture that it begins with: the middle one measured, else zeros within limits.
+  // The readings that it begins with: of the middle one of the measured postures, else zeros within limits.
   first() {
     const { postures, arm } = this.model;
-    if (postures.length > 0) return [...postures[Math.floor(postures.length / 2)].q_deg];
+    if (postures.length > 0) return [...postures[this.chosen].q_deg];
+    this.chosen = null;
     return arm.joints.map(({ min_deg, max_deg }) => Math.min(Math.max(0, min_deg ?? 0), max_deg ?? 0));
   }
 
@@ -96,21 +103,20 @@ class LiveScene {
     sun.position.set(1, -1.5, 2.5);
     this.scene.add(sun, this.arm.group, this.measured.group, artefactsOf(model.artefacts, size * 0.008, this.materials.artefact));
     this.arm.take(this.posture);
-    this.camera = new PerspectiveCamera(35, 1, size / 100, size * 20);
+    this.camera = new PerspectiveCamera(VIEW_DEG, 1, size / 100, size * 20);
     this.camera.up.set(0, 0, 1);
   }
 
   layOut() {
     const title = this.figure.querySelector("figcaption h3").textContent;
-    this.renderer = new WebGLRenderer({ antialias: true, alpha: true });
-    this.canvas = this.renderer.domElement;
+    this.canvas = element("canvas");
     for (const [key, value] of Object.entries({ tabindex: 0, role: "application", "aria-label": title, "aria-description": say("scene_keys") })) {
       this.canvas.setAttribute(key, value);
     }
     this.readout = element("p", { class: "readout" });
-    this.panel = panelOf(this.model, this.q_deg, {
-      turn: (i, deg) => this.turn(i, deg, false),
-      choose: (index) => this.choose(index, false),
+    this.panel = panelOf(this.model, {
+      turn: (i, deg) => this.turn(i, deg),
+      choose: (index) => this.choose(index),
       enlarge: (factor) => {
         this.measured.enlarge(factor);
         this.draw();
@@ -123,6 +129,7 @@ class LiveScene {
     place.classList.add("scene");
     place.append(this.view, this.panel.element, this.legend());
     show();
+    this.panel.show(this.q_deg, this.chosen);
     this.controls = new OrbitControls(this.camera, this.canvas);
     this.controls.enableZoom = false; // until it is asked for: the wheel scrolls the page
     this.canvas.style.touchAction = "pan-y";
@@ -152,31 +159,32 @@ class LiveScene {
     onThemeChange(() => this.paint());
   }
 
-  turn(i, deg, tellPanel = true) {
+  turn(i, deg) {
     this.q_deg[i] = deg;
-    this.move(tellPanel);
+    this.chosen = null;
+    this.move();
   }
 
-  choose(index, tellPanel = true) {
-    if (index < 0) return;
+  choose(index) {
     this.q_deg = [...this.model.postures[index].q_deg];
-    this.move(true, this.model.postures[index]);
-    if (tellPanel) this.panel.showPosture(index);
+    this.chosen = index;
+    this.move();
   }
 
-  move(tellPanel, chosen = null) {
+  move() {
     this.posture = postureOf(this.model.arm, this.q_deg);
     this.arm.take(this.posture);
-    if (tellPanel) this.panel.showJoints(this.q_deg);
-    this.say(chosen);
+    this.panel.show(this.q_deg, this.chosen);
+    this.say();
     this.draw();
   }
 
   // The tip in numbers, the residual of a measured posture, and how far the nominal arm would miss.
-  say(chosen = null) {
+  say() {
     const { tip_mm } = this.posture;
+    const residual_mm = this.model.postures[this.chosen]?.residual_mm;
     const lines = [`${say("tip")} ${tip_mm.map((v) => fixedText(v, 3)).join("  ")} mm`];
-    if (chosen?.residual_mm) lines.push(`${say("residual")} ${fixedText(Math.hypot(...chosen.residual_mm), 4)} mm`);
+    if (residual_mm) lines.push(`${say("residual")} ${fixedText(Math.hypot(...residual_mm), 4)} mm`);
     if (this.model.nominal) {
       const nominal = postureOf(this.model.nominal, this.q_deg).tip_mm;
       lines.push(`${say("nominal_differs")} ${fixedText(Math.hypot(...nominal.map((v, k) => v - tip_mm[k])), 3)} mm`);
@@ -185,7 +193,9 @@ class LiveScene {
   }
 
   reset() {
-    const away = this.size * 1.35;
+    const { clientWidth: width, clientHeight: height } = this.view;
+    const slimmer = Math.min(1, width / height) || 1;
+    const away = (0.56 * this.size) / Math.sin(Math.atan(slimmer * Math.tan((VIEW_DEG * Math.PI) / 360)));
     this.controls.target.copy(this.middle);
     this.camera.position.copy(this.middle).add(new Vector3(0.55, -0.75, 0.42).normalize().multiplyScalar(away));
     this.controls.update();
@@ -236,11 +246,20 @@ class LiveScene {
       this.isWaiting = false;
       const { clientWidth: width, clientHeight: height } = this.view;
       if (width === 0 || height === 0) return; // on paper
-      this.renderer.setPixelRatio(devicePixelRatio);
-      this.renderer.setSize(width, height, false);
       this.camera.aspect = width / height;
       this.camera.updateProjectionMatrix();
-      this.renderer.render(this.scene, this.camera);
+      this.render(width, height);
     });
+  }
+
+  render(width, height) {
+    const shared = sharedRenderer();
+    shared.setPixelRatio(devicePixelRatio);
+    shared.setSize(width, height, false);
+    shared.render(this.scene, this.camera);
+    const { width: columns, height: rows } = shared.domElement;
+    Object.assign(this.canvas, { width: columns, height: rows });
+    this.canvas.getContext("2d").drawImage(shared.domElement, 0, 0);
+    this.frames += 1;
   }
 }

@@ -7,25 +7,23 @@ import { say } from "./words.js";
 
 let controls = 0;
 
-function slider({ label, low, high, step, value, text, change }) {
+function slider({ label, low, high, step, text, change }) {
   const id = `armcal-control-${++controls}`;
   const input = element("input", { type: "range", id, min: low, max: high, step });
   const output = element("output", { for: id });
-  const show = () => {
-    output.textContent = text(Number(input.value));
-    input.setAttribute("aria-valuetext", output.textContent);
+  const say = (words) => {
+    output.textContent = words;
+    input.setAttribute("aria-valuetext", words);
   };
-  input.value = value;
-  show();
+  const set = (value) => {
+    input.value = value;
+    say(text(value));
+  };
   input.addEventListener("input", () => {
-    show();
+    say(text(Number(input.value)));
     change(Number(input.value));
   });
-  const set = (next) => {
-    input.value = next;
-    show();
-  };
-  return { row: element("div", { class: "control" }, element("label", { for: id }, label), output, input), set };
+  return { row: element("div", { class: "control" }, element("label", { for: id }, label), output, input), set, say };
 }
 
 // Encoder readings that a joint is offered: its limits, else a whole turn, and every reading that was taken.
@@ -35,7 +33,7 @@ function rangeOf(joint, readings) {
   return [Math.floor(low), Math.ceil(high)];
 }
 
-export function panelOf(model, q_deg, actions) {
+export function panelOf(model, actions) {
   const joints = model.arm.joints.map((joint, i) => {
     const [low, high] = rangeOf(joint, model.postures.map((posture) => posture.q_deg[i]));
     return slider({
@@ -43,7 +41,6 @@ export function panelOf(model, q_deg, actions) {
       low,
       high,
       step: "any",
-      value: q_deg[i],
       text: (value) => `${fixedText(value, 1)}°`,
       change: (value) => actions.turn(i, value),
     });
@@ -54,33 +51,35 @@ export function panelOf(model, q_deg, actions) {
     posture = slider({
       label: say("posture"),
       low: 0,
-      high: model.postures.length,
+      high: model.postures.length - 1,
       step: 1,
-      value: 0,
-      text: (value) => (value === 0 ? say("none") : model.postures[value - 1].name),
-      change: (value) => actions.choose(value - 1),
+      text: (index) => model.postures[index].name,
+      change: actions.choose,
     });
     rows.push(posture.row);
   }
   if (model.postures.some((each) => each.residual_mm)) {
     const around = Math.log10(model.enlargement || 1);
-    rows.push(
-      slider({
-        label: say("scale_residuals"),
-        low: around - 1.5,
-        high: around + 1.5,
-        step: 0.01,
-        value: around,
-        text: (value) => `× ${roundFactor(10 ** value)}`,
-        change: (value) => actions.enlarge(roundFactor(10 ** value)),
-      }).row,
-    );
+    const enlargement = slider({
+      label: say("scale_residuals"),
+      low: around - 1.5,
+      high: around + 1.5,
+      step: "any",
+      text: (power) => `× ${roundFactor(10 ** power)}`,
+      change: (power) => actions.enlarge(roundFactor(10 ** power)),
+    });
+    enlargement.set(around);
+    rows.push(enlargement.row);
   }
   const legend = element("fieldset", {}, element("legend", {}, say("joints")), ...joints.map((joint) => joint.row));
   return {
     element: element("div", { class: "panel" }, ...rows, legend),
-    showJoints: (next) => joints.forEach((joint, i) => joint.set(next[i])),
-    showPosture: (index) => posture?.set(index + 1),
+    // @param chosen  index of the measured posture; null: none
+    show(q_deg, chosen) {
+      joints.forEach((joint, i) => joint.set(q_deg[i]));
+      if (chosen === null) posture?.say(say("none"));
+      else posture?.set(chosen);
+    },
   };
 }
 

@@ -31,11 +31,15 @@ export async function openReport(browser, path, options = {}) {
   return page;
 }
 
-// Scrolls to every live figure, so that each is made, and waits until all are painted.
+// Scrolls to every live figure in turn, so that each is made, and waits until all are painted.
 export async function showAllFigures(page) {
-  const live = await page.locator("figure:has(> script.live)").all();
-  for (const figure of live) await figure.evaluate((element) => element.scrollIntoView({ block: "center", behavior: "instant" }));
-  await page.waitForFunction((count) => armcalReport.charts.length + armcalReport.scenes.length === count, live.length);
+  for (const figure of await page.locator("figure:has(> script.live)").elementHandles()) {
+    await figure.evaluate((element) => element.scrollIntoView({ block: "center", behavior: "instant" }));
+    await page.waitForFunction((element) => element.matches(".is-live, :has(> .note)"), figure);
+  }
+  await painted(page);
+}
+
+export async function painted(page) {
   await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
-  return live.length;
 }

@@ -26,6 +26,7 @@ constexpr double kElevation = 0.42;
 constexpr int kAzimuths = 8;
 // With steps of an eighth of a turn the eye is never within 17 deg of the ground's x or y axis.
 constexpr double kFirstAzimuth = -1.08;
+constexpr double kLongestArrow = 0.4;  // of the reach; what is longer is cut and dashed
 constexpr double kLabelSize = 12.0;
 constexpr double kLabelRoom = 16.0;  // at the right: faces wider than places are reckoned with
 constexpr std::size_t kMostArtefactLabels = 40;
@@ -215,17 +216,21 @@ class SpaceDrawing {
 struct Arrow {
   Eigen::Vector3d from, to;
   bool is_check;
+  bool is_cut;  // it would be longer
 };
 
 std::vector<Arrow> arrows_of(const ArmScene& scene) {
+  const double longest = kLongestArrow * reach_mm(scene.arm);
   std::vector<Arrow> arrows;
   for (const ScenePosture& posture : scene.postures) {
     const auto arm = standing(scene.arm, posture.q_rad);
     if (!arm) continue;
     const Eigen::Vector3d residual = posture.residual_mm.value_or(Eigen::Vector3d::Zero());
-    const Eigen::Vector3d way = scene.enlargement * residual;
-    arrows.push_back({arm->tip_mm, arm->tip_mm + (way.allFinite() ? way : Eigen::Vector3d::Zero()),
-                      posture.is_check});
+    Eigen::Vector3d way = scene.enlargement * residual;
+    if (!std::isfinite(way.norm())) way.setZero();
+    const bool is_cut = way.norm() > longest;
+    if (is_cut) way *= longest / way.norm();
+    arrows.push_back({arm->tip_mm, arm->tip_mm + way, posture.is_check, is_cut});
   }
   return arrows;
 }
@@ -252,6 +257,7 @@ void add_arrows(SpaceDrawing& space, const std::vector<Arrow>& arrows, double mi
   for (const bool is_near : {false, true}) {
     for (const bool is_check : {false, true}) {
       std::string lines;
+      std::string cut;
       std::vector<DrawnPoint> tips;
       for (const Arrow& arrow : arrows) {
         const bool is_here =
@@ -259,7 +265,7 @@ void add_arrows(SpaceDrawing& space, const std::vector<Arrow>& arrows, double mi
         if (!is_here) continue;
         const Eigen::Vector2d from = space.at(arrow.from);
         tips.push_back({from.x(), from.y()});
-        lines += arrow_path(from, space.at(arrow.to));
+        (arrow.is_cut ? cut : lines) += arrow_path(from, space.at(arrow.to));
       }
       if (tips.empty()) continue;
       const int style = is_check ? 1 : 0;
@@ -267,6 +273,10 @@ void add_arrows(SpaceDrawing& space, const std::vector<Arrow>& arrows, double mi
                                     shape_attributes(style, radius));
       if (!lines.empty()) {
         svg += fmt::format("<path d=\"{}\" {}/>\n", lines, arrow_attributes(is_check));
+      }
+      if (!cut.empty()) {
+        svg += fmt::format("<path d=\"{}\" stroke-dasharray=\"5 3\" {}/>\n", cut,
+                           arrow_attributes(is_check));
       }
       space.add(is_near ? HUGE_VAL : -1e300, svg);
     }

@@ -21,9 +21,9 @@ struct ArmDrawing {
   std::size_t shown = 0;  ///< posture at which the arm is drawn; of the others only tips are
 };
 
-/// The arm in space on a ground with a grid and a scale bar, its joints numbered, residuals as
-/// arrows from where the arm should have been to where it was, artefacts with their names. Seen
-/// from the side from which its links cover each other least.
+/// The arm in space on a ground with a grid and a scale bar, its joints numbered; residuals as
+/// arrows from where the arm says that its tip was to where it was, dashed where they had to be
+/// cut; artefacts with their names. Seen from the side from which its links cover each other least.
 [[nodiscard]] Figure figure_of(const ArmDrawing& drawing);
 
 /// A point that is reached at two postures, of which one follows from the other by half a turn of

@@ -18,7 +18,7 @@ namespace {
 using OrderedJson = nlohmann::ordered_json;
 
 constexpr std::size_t kMostPostures = 500;
-constexpr double kLongestVector = 0.16;  // of the reach
+constexpr double kLongVector = 0.12;  // of the reach
 
 OrderedJson finite_or_null(double value) {
   return std::isfinite(value) ? OrderedJson(value) : OrderedJson(nullptr);
@@ -150,11 +150,16 @@ std::string live_scene(const ArmScene& scene) {
 }
 
 double nice_enlargement(const ArmScene& scene) {
-  double largest = 0.0;
+  std::vector<double> residuals;
   for (const ScenePosture& posture : scene.postures) {
-    largest = std::max(largest, residual_of(posture));
+    const double residual = residual_of(posture);
+    if (residual > 0.0) residuals.push_back(residual);
   }
-  const double wanted = largest > 0.0 ? kLongestVector * reach_mm(scene.arm) / largest : 1.0;
+  if (residuals.empty()) return 1.0;
+  const std::size_t place = (residuals.size() - 1) * 19 / 20;
+  std::nth_element(residuals.begin(), residuals.begin() + static_cast<std::ptrdiff_t>(place),
+                   residuals.end());
+  const double wanted = kLongVector * reach_mm(scene.arm) / residuals[place];
   if (!std::isfinite(wanted) || wanted <= 1.0) return 1.0;
   // The largest step that is not above: 10 over the least that is not below 10 over it.
   return std::max(1.0, std::round(10.0 / nice_step(10.0 / wanted)));

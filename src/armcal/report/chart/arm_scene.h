@@ -47,8 +47,9 @@ struct ArmScene {
 /// them that have the largest residuals, and of the others some at even steps.
 [[nodiscard]] std::string live_scene(const ArmScene& scene);
 
-/// 1, 2 or 5 times a power of ten that draws the largest residual about a sixth of the arm's reach
-/// long; 1 where there are none.
+/// 1, 2 or 5 times a power of ten that draws a large residual, than which one in twenty is larger,
+/// about a tenth of the arm's reach long; 1 where there are none. A few readings that do not belong
+/// to the others do not make all others invisible.
 [[nodiscard]] double nice_enlargement(const ArmScene& scene);
 
 }  // namespace armcal

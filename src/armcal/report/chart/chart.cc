@@ -22,7 +22,7 @@ constexpr double kLeastEqualHeight = 240.0, kMostEqualHeight = 520.0;  // of equ
 constexpr double kRight = 14.0;                                        // margin
 constexpr double kBelow = 42.0;     // of tick texts and the label of x
 constexpr double kTitleRow = 20.0;  // of the label of y
-constexpr double kPerTickX = 72.0;  // way between ticks, about
+constexpr double kPerTickX = 56.0;  // way between ticks, about
 constexpr double kPerTickY = 42.0;
 
 struct Ranges {
@@ -148,6 +148,7 @@ class ChartPicture {
     for (const ChartSeries& series : chart_.series) draw(drawing, series, x, y);
     for (const ChartLine& line : chart_.lines) draw(drawing, line, x, y);
     for (const ChartLine& line : chart_.lines) label(drawing, line, x, y);
+    for (const ChartSeries& series : chart_.series) tag(drawing, series, x, y);
     return drawing.finished(chart_.title, chart_.text, chart_.is_wide ? "wide" : "");
   }
 
@@ -194,15 +195,12 @@ class ChartPicture {
       drawing.text(x.from() - 7.0, at + 4.5, tick.text,
                    {.style = "tick", .anchor = TextAnchor::end});
     }
-    double free_from = 0.0;
-    for (const ChartTick& tick : x.ticks(ticks_along(x, kPerTickX))) {
+    for (const ChartTick& tick : x.ticks_below(ticks_along(x, kPerTickX), kTextSize)) {
       const double at = x.at(tick.value);
       grid += fmt::format("M{}V{}", point(at, bottom), coordinate(y.to()));
       marks += fmt::format("M{}v4", point(at, bottom));
       const double half = 0.5 * text_width(tick.text, kTextSize);
       const double middle = std::min(at, width_ - half);
-      if (tick.text.empty() || middle - half < free_from) continue;
-      free_from = middle + half + 6.0;
       drawing.text(middle, bottom + 17.0, tick.text,
                    {.style = "tick", .anchor = TextAnchor::middle});
     }
@@ -211,8 +209,15 @@ class ChartPicture {
                  "class=\"axis\" stroke=\"currentColor\" stroke-opacity=\".7\"");
     drawing.text(0.5 * (x.from() + x.to()), height_ - 7.0, chart_.x.label,
                  {.anchor = TextAnchor::middle, .most_width = x.to() - x.from()});
-    drawing.text(4.0, 17.0, chart_.y.label, {.most_width = width_ - 8.0});
-    legend_.draw(drawing, 17.0);
+    draw_head(drawing);
+  }
+
+  // The label of y just above its axis; the legend beside it, else above it.
+  void draw_head(SvgDrawing& drawing) const {
+    const double last = 17.0 + ChartLegend::kRowHeight * std::max(0, legend_.rows() - 1);
+    const bool is_beside = legend_.is_beside();
+    drawing.text(4.0, is_beside ? 17.0 : last, chart_.y.label, {.most_width = width_ - 8.0});
+    legend_.draw(drawing, is_beside ? 17.0 : 17.0 - ChartLegend::kRowHeight);
   }
 
   [[nodiscard]] static int ticks_along(const ChartScale& scale, double way) {
@@ -244,6 +249,29 @@ class ChartPicture {
                    bar_attributes(series.style));
     } else {
       drawing.path(line_path(pieces), line_attributes(series.style));
+    }
+  }
+
+  // Beside each dot, where the fewest others are.
+  void tag(SvgDrawing& drawing, const ChartSeries& series, const ChartScale& x,
+           const ChartScale& y) {
+    for (std::size_t i = 0; i < std::min(series.tags.size(), count_of(series)); ++i) {
+      if (!has_place(chart_, series.x[i], series.y[i])) continue;
+      const DrawnPoint at{x.at(series.x[i]), y.at(series.y[i])};
+      const double width = text_width(series.tags[i], kTextSize);
+      std::vector<DrawnBox> boxes;
+      for (const auto& [right, down] :
+           {std::pair{6.0, -8.0}, std::pair{-6.0 - width, -8.0}, std::pair{-0.5 * width, -21.0},
+            std::pair{-0.5 * width, 6.0}}) {
+        const DrawnBox box{at.x + right, at.y + down, at.x + right + width, at.y + down + 15.0};
+        if (box.left >= x.from() && box.right <= width_) boxes.push_back(box);
+      }
+      if (boxes.empty()) continue;
+      const DrawnBox& box = boxes[quiet_.choose(boxes)];
+      drawing.text(box.left, box.bottom - 3.5, series.tags[i], {.style = "tick", .has_halo = true});
+      for (const double part : {0.2, 0.5, 0.8}) {
+        quiet_.add_point(box.left + part * width, 0.5 * (box.top + box.bottom));
+      }
     }
   }
 

@@ -34,6 +34,8 @@ struct ChartSeries {
                   ///< charts of a page
   std::vector<double> x, y;
   std::vector<std::string> labels;  ///< of each point, for hovering ("cmm.csv:118"); or empty
+  std::vector<std::string> tags;    ///< of each dot, drawn beside it (a number, a short name); or
+                                    ///< empty
 };
 
 /// A line across the chart with a word: a limit, a mean.

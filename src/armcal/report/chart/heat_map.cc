@@ -177,8 +177,8 @@ class HeatPicture {
       }
       signs[std::abs(cell.shade) > kStrong * kShades ? 1 : 0] += sign;
     }
-    drawing.path(signs[0], "class=\"sign\" stroke=\"currentColor\" pointer-events=\"none\"");
-    drawing.path(signs[1], "class=\"sign\" stroke=\"#fff\" pointer-events=\"none\"");
+    drawing.path(signs[0], "class=\"cell-sign\" stroke=\"currentColor\" pointer-events=\"none\"");
+    drawing.path(signs[1], "class=\"cell-sign\" stroke=\"#fff\" pointer-events=\"none\"");
   }
 
   [[nodiscard]] bool has_values() const {

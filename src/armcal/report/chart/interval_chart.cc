@@ -106,15 +106,12 @@ class IntervalPicture {
   void draw_axis(SvgDrawing& drawing, const IntervalGroup& group, const ChartScale& x, double top,
                  double bottom) const {
     std::string grid;
-    double free_from = 0.0;
-    for (const ChartTick& tick :
-         x.ticks(static_cast<int>(std::max(2.0, (right_ - left_) / 46.0)))) {
+    const int ticks = std::max(2, static_cast<int>((right_ - left_) / 46.0));
+    for (const ChartTick& tick : x.ticks_below(ticks, kTextSize)) {
       const double at = x.at(tick.value);
       grid += fmt::format("M{}V{}", point(at, top), coordinate(bottom));
       const double half = 0.5 * text_width(tick.text, kTextSize);
       const double middle = std::min(at, kWidth - half);
-      if (middle - half < free_from) continue;
-      free_from = middle + half + 6.0;
       drawing.text(middle, bottom + 16.0, tick.text,
                    {.style = "tick", .anchor = TextAnchor::middle});
     }

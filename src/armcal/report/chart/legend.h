@@ -24,7 +24,10 @@ class ChartLegend {
   /// entries stand at the right of that row, or in rows below it where they need more
   ChartLegend(std::vector<LegendEntry> entries, double left, double right, double taken = 0.0);
 
+  /// Those in use, with that where something else stands.
   [[nodiscard]] int rows() const { return rows_; }
+  /// Do the entries stand in the row where something else is?
+  [[nodiscard]] bool is_beside() const { return places_.empty() || places_.front().row == 0; }
   /// @param y  of the base line of the first row
   void draw(SvgDrawing& drawing, double y) const;
 

@@ -188,7 +188,7 @@ class LimitPicture {
     drawing.text(values_right + 12.0, base, verdict_of(value),
                  {.fill = tone_colour(value.tone), .is_bold = true});
     drawing.text(values_right, base, value.text, {.anchor = TextAnchor::end});
-    const double mark = values_right - text_width(value.text, kTextSize) - 13.0;
+    const double mark = values_right - text_width(value.text, kTextSize) - 17.0;
     draw_mark(drawing, mark, base - 4.5, is_left, tone_colour(value.tone));
     return right - mark + 8.0;
   }

@@ -57,6 +57,7 @@ OrderedJson json_of(const ChartSeries& series) {
                       {"x", numbers(series.x)},
                       {"y", numbers(series.y)}};
   if (!series.labels.empty()) json["labels"] = series.labels;
+  if (!series.tags.empty()) json["tags"] = series.tags;
   return json;
 }
 

@@ -98,8 +98,8 @@ std::string line_path(std::span<const std::vector<DrawnPoint>> pieces) {
       path += (before.empty() ? "M" : "L") + here;
       before = here;
     }
-    // A point between two that are missing is a dot of the stroke's width.
-    if (piece.size() == 1) path += "h.01";
+    // A point between two that are missing is a short stroke.
+    if (piece.size() == 1) path += "m-1.5 0h3";
   }
   return path;
 }

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "armcal/report/chart/svg.h"
 #include "armcal/report/number_format.h"
 
 namespace armcal {
@@ -14,9 +15,11 @@ namespace {
 
 constexpr double kRoom = 0.04;         // of the length of an axis, beyond the data
 constexpr double kFewestParts = 1e-9;  // of its magnitude that a range is long
-constexpr double kLargest = 1e300;     // differences of what is drawn are finite
+constexpr double kBetweenTexts = 5.0;
+constexpr double kLargest = 1e300;  // differences of what is drawn are finite
 constexpr double kSmallest = 1e-300;
 constexpr double kFewer = 0.8;      // of a step: a few ticks more rather than half as many
+constexpr int kMostPerName = 5;     // decades that have a mark each, if only one of so many a name
 constexpr double kRounding = 1e-9;  // of a step
 
 constexpr const char* kMinus = "\u2212";
@@ -32,6 +35,11 @@ std::string superscript(int exponent) {
 
 int exponent_of(double positive) {
   return static_cast<int>(std::floor(std::log10(positive) + kRounding));
+}
+
+// The quotient of the ends of a range may be beyond all numbers.
+double decades_of(const ChartRange& range) {
+  return std::log10(range.high) - std::log10(range.low);
 }
 
 ChartRange not_empty(ChartRange range, AxisScale scale) {
@@ -103,11 +111,10 @@ ChartRange axis_range(const ChartAxis& axis, const std::optional<ChartRange>& da
   range.low = std::min(range.low, low);
   range.high = std::max(range.high, high);
   range = not_empty(range, axis.scale);
-  const double room =
-      kRoom * (is_log ? std::log10(range.high / range.low) : range.high - range.low);
+  const double room = kRoom * (is_log ? decades_of(range) : range.high - range.low);
   if (!low_holds) range.low = is_log ? range.low / std::pow(10.0, room) : range.low - room;
   if (!high_holds) range.high = is_log ? range.high * std::pow(10.0, room) : range.high + room;
-  return range;
+  return not_empty(range, axis.scale);
 }
 
 ChartScale::ChartScale(AxisScale kind, ChartRange range, double from, double to)
@@ -116,7 +123,7 @@ ChartScale::ChartScale(AxisScale kind, ChartRange range, double from, double to)
 double ChartScale::at(double value) const {
   const double inside = std::clamp(value, range_.low, range_.high);
   const double part = kind_ == AxisScale::logarithmic
-                          ? std::log(inside / range_.low) / std::log(range_.high / range_.low)
+                          ? decades_of({range_.low, inside}) / decades_of(range_)
                           : (inside - range_.low) / (range_.high - range_.low);
   return from_ + std::clamp(part, 0.0, 1.0) * (to_ - from_);
 }
@@ -127,6 +134,21 @@ std::vector<ChartTick> ChartScale::ticks(int about) const {
   const auto named = std::count_if(ticks.begin(), ticks.end(),
                                    [](const ChartTick& tick) { return !tick.text.empty(); });
   return named >= 3 ? ticks : linear_ticks(about);
+}
+
+std::vector<ChartTick> ChartScale::ticks_below(int about, double text_size) const {
+  for (;; --about) {
+    std::vector<ChartTick> fewer = ticks(about);
+    double free_from = -HUGE_VAL;
+    bool is_free = true;
+    for (const ChartTick& tick : fewer) {
+      if (tick.text.empty()) continue;
+      const double half = 0.5 * text_width(tick.text, text_size);
+      is_free = is_free && at(tick.value) - half >= free_from;
+      free_from = at(tick.value) + half + kBetweenTexts;
+    }
+    if (is_free || about <= 1) return fewer;
+  }
 }
 
 std::vector<ChartTick> ChartScale::linear_ticks(int about) const {
@@ -145,7 +167,7 @@ std::vector<ChartTick> ChartScale::linear_ticks(int about) const {
 std::vector<ChartTick> ChartScale::decade_ticks(int about) const {
   const int first = exponent_of(range_.low);
   const int last = exponent_of(range_.high);
-  const double decades = std::log10(range_.high / range_.low);
+  const double decades = decades_of(range_);
   const int every = std::max(1, static_cast<int>(std::ceil(decades / std::max(1, about))));
   const bool names_between = 3.0 * decades <= about;
   std::vector<ChartTick> ticks;
@@ -154,8 +176,9 @@ std::vector<ChartTick> ChartScale::decade_ticks(int about) const {
       const double value = factor * std::pow(10.0, exponent);
       const bool is_inside =
           value >= range_.low * (1.0 - kRounding) && value <= range_.high * (1.0 + kRounding);
-      if (!is_inside || (factor > 1 && every > 1)) continue;
       const bool is_named = factor == 1 ? exponent % every == 0 : names_between;
+      const bool has_room = factor == 1 ? every <= kMostPerName : every == 1;
+      if (!is_inside || !(is_named || has_room)) continue;
       ticks.push_back({std::clamp(value, range_.low, range_.high),
                        is_named ? power_text(factor, exponent) : ""});
     }

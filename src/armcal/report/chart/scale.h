@@ -51,6 +51,8 @@ class ChartScale {
   /// About so many marks with numbers, at multiples of 1, 2 or 5 times a power of ten; on a
   /// logarithmic scale at decades, and where these are few at 2 and 5 times them.
   [[nodiscard]] std::vector<ChartTick> ticks(int about) const;
+  /// The same on an axis from left to right: fewer where texts of this size would meet.
+  [[nodiscard]] std::vector<ChartTick> ticks_below(int about, double text_size) const;
 
  private:
   [[nodiscard]] std::vector<ChartTick> linear_ticks(int about) const;

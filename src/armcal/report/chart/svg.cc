@@ -15,7 +15,7 @@ namespace {
 // Width of a character in the height of the text; digits of wide sans-serif faces take 0.636, most
 // take 0.556.
 constexpr double kCharacter = 0.6;
-constexpr double kMostEnlarged = 1.35;
+constexpr double kMostEnlarged = 1.1;
 
 std::string trimmed(double value, int decimals) {
   std::string text = fmt::format("{:.{}f}", value, decimals);

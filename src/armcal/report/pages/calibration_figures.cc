@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "armcal/core/units.h"
+#include "armcal/numerics/median.h"
 #include "armcal/report/chart/arm_drawing.h"
 #include "armcal/report/chart/chart.h"
 #include "armcal/report/chart/coverage_strips.h"
@@ -18,7 +19,7 @@
 #include "armcal/report/chart/interval_chart.h"
 #include "armcal/report/number_format.h"
 #include "armcal/report/pages/arm_of.h"
-#include "armcal/report/pages/shown_number.h"
+#include "armcal/report/shown_number.h"
 
 namespace armcal {
 namespace {
@@ -30,12 +31,25 @@ Eigen::VectorXd as_column(const std::vector<double>& values) {
   return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
 
+// One row far off would press all others to the ground of a linear axis.
+bool is_far_off(const std::vector<ResidualRow>& rows) {
+  constexpr double kTimesTheUsual = 10.0;
+  std::vector<double> residuals;
+  for (const ResidualRow& row : rows) residuals.push_back(row.residual_mm);
+  return !rows.empty() &&
+         *std::max_element(residuals.begin(), residuals.end()) > kTimesTheUsual * median(residuals);
+}
+
 // Residuals (lengths) of fitted and of held-out rows over something that a row may have.
 template <typename Abscissa>
 void add_residuals(Chart& chart, const std::vector<ResidualRow>& rows, const Language& say,
                    const Abscissa& abscissa) {
   chart.y.label = say("figures.residual_axis");
-  chart.y.low = 0.0;
+  if (is_far_off(rows)) {
+    chart.y.scale = AxisScale::logarithmic;
+  } else {
+    chart.y.low = 0.0;
+  }
   chart.nothing = say("figures.nothing");
   for (const bool check : {false, true}) {
     ChartSeries series;

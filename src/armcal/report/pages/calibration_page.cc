@@ -11,7 +11,7 @@
 #include "armcal/report/number_format.h"
 #include "armcal/report/pages/calibration_figures.h"
 #include "armcal/report/pages/parameter_table.h"
-#include "armcal/report/pages/shown_number.h"
+#include "armcal/report/shown_number.h"
 
 namespace armcal {
 namespace {
@@ -35,7 +35,7 @@ struct Pooled {
 };
 
 struct Quality {
-  Pooled nominal, fit, check, floor;
+  Pooled nominal, fit, check, fit_floor, check_floor;
   std::optional<double> coverage;
   double sigma0 = 1.0;
   bool scatters_more = false;  // than stated
@@ -46,10 +46,11 @@ Quality quality_of(const DocumentView& document) {
   Quality quality;
   for (const DocumentView& group : document.list("groups")) {
     if (group.number("count") > 0) quality.fit.add(group, "rms_mm");
+    if (group.has("floor_mm")) quality.fit_floor.add(group, "floor_mm");
     if (group.has("nominal")) quality.nominal.add(group["nominal"], "rms_mm");
     if (!group.has("check")) continue;
     quality.check.add(group["check"], "rms_mm");
-    if (group["check"].has("floor_mm")) quality.floor.add(group["check"], "floor_mm");
+    if (group["check"].has("floor_mm")) quality.check_floor.add(group["check"], "floor_mm");
   }
   quality.coverage = document.number_if("check_coverage");
   quality.sigma0 = document.number("sigma0");
@@ -82,7 +83,9 @@ Headlines headlines_of(const Quality& quality, const DocumentView& document, con
   add("calibration.before", quality.nominal, "calibration.before_note");
   add("calibration.after", quality.fit, "calibration.after_note");
   add("calibration.held_out", quality.check, "calibration.held_out_note");
-  add("calibration.floor", quality.floor, "calibration.floor_note");
+  // Of the rows that are judged by.
+  add("calibration.floor", quality.check.count > 0.0 ? quality.check_floor : quality.fit_floor,
+      quality.check.count > 0.0 ? "calibration.floor_note" : "calibration.floor_of_fit_note");
   headlines.items.push_back({say("calibration.sigma0"), fixed(quality.sigma0, 3), "",
                              say("calibration.sigma0_note", document.number("dof")),
                              quality.scatters_more ? Tone::warning : Tone::neutral});

@@ -11,8 +11,8 @@
 #include "armcal/report/number_format.h"
 #include "armcal/report/pages/control_chart_figure.h"
 #include "armcal/report/pages/phrase_book.h"
-#include "armcal/report/pages/shown_number.h"
 #include "armcal/report/pages/verdict_words.h"
+#include "armcal/report/shown_number.h"
 
 namespace armcal {
 namespace {

@@ -12,8 +12,8 @@
 #include "armcal/core/utc_time.h"
 #include "armcal/numerics/distributions.h"
 #include "armcal/report/chart/chart.h"
-#include "armcal/report/pages/shown_number.h"
 #include "armcal/report/pages/verdict_words.h"
+#include "armcal/report/shown_number.h"
 
 namespace armcal {
 namespace {

@@ -8,11 +8,14 @@
 #include "armcal/io/sha256.h"
 #include "armcal/report/pages/calibration_page.h"
 #include "armcal/report/pages/check_page.h"
+#include "armcal/report/pages/comparison_page.h"
+#include "armcal/report/pages/demo_page.h"
 #include "armcal/report/pages/details_sections.h"
 #include "armcal/report/pages/plain_page.h"
 #include "armcal/report/pages/plan_page.h"
 #include "armcal/report/pages/probe_page.h"
 #include "armcal/report/pages/sphere_test_page.h"
+#include "armcal/report/pages/symmetric_point_page.h"
 #include "armcal/report/pages/verification_page.h"
 
 namespace armcal {
@@ -27,6 +30,9 @@ struct PageKind {
 constexpr std::array kPages = {
     PageKind{"calibrate", calibration_page},
     PageKind{"identifiability", identifiability_page},
+    PageKind{"symmetric-point", symmetric_point_page},
+    PageKind{"compare", comparison_page},
+    PageKind{"demo", demo_page},
     PageKind{"verify iso10360-12", verification_page},
     PageKind{"verify b89.4.22", verification_page},
     PageKind{"verify sphere", sphere_test_page},

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "armcal/report/number_format.h"
-#include "armcal/report/pages/shown_number.h"
+#include "armcal/report/shown_number.h"
 
 namespace armcal {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "armcal/report/chart/interval_chart.h"
 #include "armcal/report/number_format.h"
-#include "armcal/report/pages/shown_number.h"
 #include "armcal/report/pages/verdict_words.h"
+#include "armcal/report/shown_number.h"
 
 namespace armcal {
 namespace {

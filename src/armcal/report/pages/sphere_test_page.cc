@@ -9,9 +9,9 @@
 
 #include "armcal/report/chart/chart.h"
 #include "armcal/report/number_format.h"
-#include "armcal/report/pages/shown_number.h"
 #include "armcal/report/pages/sphere_map.h"
 #include "armcal/report/pages/verdict_words.h"
+#include "armcal/report/shown_number.h"
 
 namespace armcal {
 namespace {

@@ -9,12 +9,12 @@
 #include <set>
 
 #include "armcal/report/number_format.h"
-#include "armcal/report/pages/shown_number.h"
 #include "armcal/report/pages/verdict_words.h"
 #include "armcal/report/pages/verification_budgets.h"
 #include "armcal/report/pages/verification_figures.h"
 #include "armcal/report/pages/verification_tables.h"
 #include "armcal/report/pages/verification_values.h"
+#include "armcal/report/shown_number.h"
 
 namespace armcal {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: the armcal authors
 // SPDX-License-Identifier: Apache-2.0
-#include "armcal/report/pages/shown_number.h"
+#include "armcal/report/shown_number.h"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@ namespace armcal {
 ShownUnit shown_unit(std::string_view parameter, std::string_view unit) {
   if (unit == "mm") return {1.0, "mm"};
   const bool harmonic = parameter.rfind("cos", 0) == 0 || parameter.rfind("sin", 0) == 0;
-  if (harmonic) return {1e6, "\u00b5rad"};
+  if (harmonic) return {1e6, "urad"};
   return {degrees_from_radians(1.0), "deg"};
 }
 

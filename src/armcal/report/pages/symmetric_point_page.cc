@@ -1,0 +1,373 @@
+// SPDX-FileCopyrightText: the armcal authors
+// SPDX-License-Identifier: Apache-2.0
+#include "armcal/report/pages/symmetric_point_page.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "armcal/core/units.h"
+#include "armcal/report/chart/arm_drawing.h"
+#include "armcal/report/chart/heat_map.h"
+#include "armcal/report/number_format.h"
+#include "armcal/report/pages/arm_of.h"
+#include "armcal/report/shown_number.h"
+
+namespace armcal {
+namespace {
+
+constexpr double kUnchecked = 1e-6;  // redundancy below it: an error goes whole into the result
+
+// A number whose key says its unit: residual_mm or residual_deg.
+std::optional<double> amount_if(const DocumentView& entry, const std::string& key) {
+  for (const char* unit : {"_mm", "_deg"}) {
+    if (const auto value = entry.number_if(key + unit)) return value;
+  }
+  return std::nullopt;
+}
+
+std::string text_if(const std::optional<double>& value, int decimals) {
+  return value ? fixed(*value, decimals) : "\u2013";
+}
+
+int decimals_of(const DocumentView& reading) {
+  return decimals_for_uncertainty(reading.number("u"));
+}
+
+bool is_flagged(const DocumentView& reading) {
+  return reading.has("flagged") && reading.flag("flagged");
+}
+
+std::string joined(const std::vector<std::string>& names, const Language& say) {
+  std::string text;
+  for (const std::string& name : names) {
+    text += fmt::format("{}{}", text.empty() ? "" : say("calibration.name_separator"), name);
+  }
+  return text;
+}
+
+Stamp stamp_of(const DocumentView& document, const Language& say) {
+  if (document.flag("consistent")) {
+    return {say("symmetric.consistent"), say("symmetric.consistent_sentence"), Tone::good};
+  }
+  return {say("symmetric.contradicted"), say("symmetric.contradicted_sentence"), Tone::bad};
+}
+
+Headlines headlines_of(const DocumentView& document, const Language& say) {
+  const auto readings = document.list("readings");
+  const auto flagged = std::count_if(readings.begin(), readings.end(), is_flagged);
+  const auto claims = document.list("claims");
+  const auto wrong = std::count_if(claims.begin(), claims.end(),
+                                   [](const DocumentView& claim) { return !claim.flag("agrees"); });
+  Headlines headlines;
+  headlines.items = {
+      {say("symmetric.readings"), whole(static_cast<double>(readings.size())), "",
+       say("symmetric.dof_note", whole(document.number("dof"))), Tone::neutral},
+      {say("symmetric.parameters"), whole(document.number("rank")), "",
+       say("symmetric.condition_note",
+           fmt::format("{:.3g}", document.number_if("condition_number").value_or(0.0))),
+       Tone::neutral},
+      {say("symmetric.flagged"), fmt::format("{}", flagged), "", say("symmetric.flagged_note"),
+       flagged > 0 ? Tone::bad : Tone::neutral}};
+  if (!claims.empty()) {
+    headlines.items.push_back({say("symmetric.claims_wrong"), fmt::format("{}", wrong), "",
+                               say("symmetric.claims_note", claims.size()),
+                               wrong > 0 ? Tone::bad : Tone::neutral});
+  }
+  return headlines;
+}
+
+// The document names a length of the same size as "the reading R", "half of R" or "b7 as adjusted".
+std::string said_length(const std::string& name, const Language& say) {
+  constexpr std::string_view kReading = "the reading ";
+  constexpr std::string_view kHalf = "half of ";
+  constexpr std::string_view kAdjusted = " as adjusted";
+  if (name.starts_with(kReading)) {
+    return say("symmetric.equals_reading", name.substr(kReading.size()));
+  }
+  if (name.starts_with(kHalf)) return say("symmetric.equals_half", name.substr(kHalf.size()));
+  if (name.ends_with(kAdjusted)) {
+    return say("symmetric.equals_adjusted", name.substr(0, name.size() - kAdjusted.size()));
+  }
+  return name;
+}
+
+// What a reader has to know, one sentence each.
+std::vector<std::string> findings_of(const DocumentView& document, const Language& say) {
+  std::vector<std::string> found;
+  if (document.has("chain_problem")) {
+    found.push_back(say("symmetric.chain_breaks", document.text("chain_problem")));
+  }
+  for (const DocumentView& claim : document.list("claims")) {
+    if (claim.flag("agrees")) continue;
+    const std::string claimed = fixed(claim.number("claimed"), 3);
+    const auto culprit = claim.text_if("contradicted_by");
+    const auto mended = amount_if(claim, "reconciled_by");
+    if (culprit && mended) {
+      found.push_back(say("symmetric.claim_against_reading", claim.text("name"), claimed, *culprit,
+                          fixed(*mended, 3)));
+    } else {
+      found.push_back(say("symmetric.claim_against_all", claim.text("name"), claimed,
+                          fixed(claim.number("value"), 3)));
+    }
+    std::vector<std::string> equals;
+    for (const std::string& same : claim.texts("equals")) equals.push_back(said_length(same, say));
+    if (!equals.empty()) found.back() += say("symmetric.claim_equals", joined(equals, say));
+  }
+  std::vector<std::string> unchecked;
+  for (const DocumentView& reading : document.list("readings")) {
+    if (is_flagged(reading)) {
+      found.push_back(say("symmetric.reading_fails", reading.text("name"),
+                          text_if(amount_if(reading, "estimated_error"), 4), reading.text("unit"),
+                          fixed(reading.number("normalised"), 1)));
+    }
+    if (reading.number_if("redundancy").value_or(1.0) < kUnchecked) {
+      unchecked.push_back(reading.text("name"));
+    }
+  }
+  if (!unchecked.empty()) found.push_back(say("symmetric.unchecked", joined(unchecked, say)));
+  std::vector<std::string> held;
+  for (const DocumentView& each : document.list("undetermined")) held.push_back(each.text("name"));
+  if (!held.empty()) found.push_back(say("symmetric.undetermined", joined(held, say)));
+  return found;
+}
+
+Table parameters_of(const DocumentView& document, const Language& say) {
+  Table table;
+  table.caption = say("symmetric.parameters_caption");
+  table.columns = {{say("parameters.name"), false},
+                   {say("symmetric.chain")},
+                   {"u"},
+                   {say("symmetric.adjusted")},
+                   {"u"},
+                   {say("parameters.unit"), false}};
+  const DocumentView chain = document["chain"];
+  const DocumentView chain_u = document["chain_u"];
+  const DocumentView adjusted = document["adjusted"];
+  for (const auto& [name, ignored] : adjusted.json().items()) {
+    const DocumentView value = adjusted[name];
+    const double u = value.number("u");
+    const int decimals = decimals_for_uncertainty(u);
+    std::vector<Cell> row = {{name}, {"\u2013"}, {"\u2013"}};
+    if (chain.has(name)) {
+      const double u_chain = chain_u.number(name);
+      const int places = decimals_for_uncertainty(u_chain);
+      row[1].text = fixed(chain.number(name), places);
+      row[2].text = fixed(u_chain, places);
+    }
+    row.push_back({fixed(value.number("value"), decimals)});
+    row.push_back({fixed(u, decimals)});
+    row.push_back({value.text("unit")});
+    table.rows.push_back(std::move(row));
+  }
+  table.note = say("symmetric.parameters_note");
+  return table;
+}
+
+Cell check_cell(const DocumentView& reading, const Language& say) {
+  if (!reading.number_if("normalised")) return {say("symmetric.not_checked"), Tone::neutral};
+  return is_flagged(reading) ? Cell{say("symmetric.fails"), Tone::bad}
+                             : Cell{say("symmetric.holds"), Tone::good};
+}
+
+Table readings_of(const DocumentView& document, const Language& say) {
+  Table table;
+  table.caption = say("symmetric.readings_caption");
+  table.columns = {{say("symmetric.reading"), false},
+                   {say("symmetric.kind"), false},
+                   {say("symmetric.joint")},
+                   {say("symmetric.value")},
+                   {"u"},
+                   {say("parameters.unit"), false},
+                   {say("symmetric.by_arm_file")},
+                   {say("symmetric.predicted")},
+                   {say("symmetric.residual")},
+                   {say("symmetric.redundancy")},
+                   {say("symmetric.detectable")},
+                   {say("symmetric.check"), false}};
+  for (const DocumentView& reading : document.list("readings")) {
+    const int decimals = decimals_of(reading);
+    const std::string kind = reading.text("kind");
+    const std::string key = fmt::format("symmetric.kind_{}", kind);
+    table.rows.push_back({{reading.text("name")},
+                          {say.has(key) ? say(key) : kind},
+                          {whole(reading.number("joint"))},
+                          {fixed(reading.number("value"), decimals)},
+                          {fixed(reading.number("u"), decimals)},
+                          {reading.text("unit")},
+                          {text_if(reading.number_if("by_arm_file"), decimals)},
+                          {text_if(reading.number_if("predicted"), decimals)},
+                          {text_if(amount_if(reading, "residual"), decimals)},
+                          {text_if(reading.number_if("redundancy"), 3)},
+                          {text_if(amount_if(reading, "smallest_detectable"), decimals)},
+                          check_cell(reading, say)});
+  }
+  table.note = say("symmetric.readings_note");
+  return table;
+}
+
+std::optional<Table> claims_of(const DocumentView& document, const Language& say) {
+  const auto claims = document.list("claims");
+  if (claims.empty()) return std::nullopt;
+  Table table;
+  table.caption = say("symmetric.claims_caption");
+  table.columns = {{say("symmetric.claim"), false},           {say("symmetric.claimed")},
+                   {say("symmetric.readings_give")},          {say("symmetric.difference")},
+                   {say("parameters.unit"), false},           {say("symmetric.verdict"), false},
+                   {say("symmetric.contradicted_by"), false}, {say("symmetric.reconciled_by")}};
+  for (const DocumentView& claim : claims) {
+    const bool agrees = claim.flag("agrees");
+    const char* verdict = !agrees                      ? "symmetric.disagrees"
+                          : claim.flag("sign_differs") ? "symmetric.agrees_but_sign"
+                                                       : "symmetric.agrees";
+    table.rows.push_back({{claim.text("name")},
+                          {fixed(claim.number("claimed"), 3)},
+                          {fixed(claim.number("value"), 3)},
+                          {text_if(amount_if(claim, "difference"), 3)},
+                          {claim.text("unit")},
+                          {say(verdict), agrees ? Tone::good : Tone::bad},
+                          {claim.text_if("contradicted_by").value_or("\u2013")},
+                          {text_if(amount_if(claim, "reconciled_by"), 3)}});
+  }
+  return table;
+}
+
+bool is_angle(const std::string& parameter) {
+  return parameter.rfind("zero", 0) == 0 || parameter.rfind("alpha", 0) == 0 ||
+         parameter.rfind("beta", 0) == 0 || parameter.rfind("cos", 0) == 0 ||
+         parameter.rfind("sin", 0) == 0;
+}
+
+// Errors of recovered parameters where an assumption is wrong by 1 mm or 1 mrad, in mm or mrad.
+// Assumptions that shift nothing have no column.
+std::optional<Figure> leakage_of(const DocumentView& document, const Language& say) {
+  constexpr double kNothing = 1e-3;
+  const std::vector<std::string> recovered = document.texts("leakage_rows");
+  const std::vector<std::string> assumed = document.texts("leakage_columns");
+  const auto rows = document.list("leakage");
+  if (rows.size() != recovered.size()) {
+    document["leakage"].complain("has not as many rows as leakage_rows has names");
+  }
+  if (recovered.empty()) return std::nullopt;
+  Eigen::MatrixXd values(static_cast<Eigen::Index>(recovered.size()),
+                         static_cast<Eigen::Index>(assumed.size()));
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    const std::vector<double> numbers = rows[r].as_numbers();
+    if (numbers.size() != assumed.size()) rows[r].complain("has another length");
+    for (std::size_t c = 0; c < numbers.size(); ++c) {
+      const double scale =
+          (is_angle(assumed[c]) ? 1e-3 : 1.0) * (is_angle(recovered[r]) ? 1e3 : 1.0);
+      values(static_cast<Eigen::Index>(r), static_cast<Eigen::Index>(c)) = scale * numbers[c];
+    }
+  }
+  HeatMap map;
+  map.id = "leakage";
+  map.title = say("symmetric.leakage");
+  map.text = say(document.text("leakage_of") == "chain" ? "symmetric.leakage_of_chain"
+                                                        : "symmetric.leakage_of_adjustment");
+  map.nothing = say("symmetric.no_leakage");
+  map.key_label = say("symmetric.leakage_key");
+  map.rows = recovered;
+  std::vector<Eigen::Index> kept;
+  for (Eigen::Index c = 0; c < values.cols(); ++c) {
+    if (values.col(c).cwiseAbs().maxCoeff() < kNothing) continue;
+    kept.push_back(c);
+    map.columns.push_back(assumed[static_cast<std::size_t>(c)]);
+  }
+  map.values = values(Eigen::all, kept);
+  return figure_of(map);
+}
+
+Eigen::VectorXd radians_of(const DocumentView& reading, const char* key) {
+  const std::vector<double> deg = reading.numbers(key);
+  return Eigen::Map<const Eigen::VectorXd>(deg.data(), static_cast<Eigen::Index>(deg.size())) *
+         radians_from_degrees(1.0);
+}
+
+// Reversals as two postures, other readings as the one they start from.
+Figures postures_of(const DocumentView& document, const Language& say) {
+  Figures figures;
+  const ArmModel arm =
+      arm_of(document, document.has("adjusted_arm") ? "adjusted_arm" : "nominal_arm");
+  for (const DocumentView& reading : document.list("readings")) {
+    const std::string name = reading.text("name");
+    const std::string value = fmt::format(
+        "{} {}", fixed(reading.number("value"), decimals_of(reading)), reading.text("unit"));
+    const std::string id = fmt::format("posture-{}", figures.items.size() + 1);
+    const std::string joint = say("figures.joint", whole(reading.number("joint")));
+    if (reading.has("posture_end_deg")) {
+      HalfTurnDrawing drawing;
+      drawing.id = id;
+      drawing.title = name;
+      drawing.text = say("symmetric.posture_text", joint, value);
+      drawing.nothing = say("figures.nothing");
+      drawing.arm = arm;
+      drawing.a_rad = radians_of(reading, "posture_deg");
+      drawing.b_rad = radians_of(reading, "posture_end_deg");
+      drawing.joint = static_cast<int>(reading.number("joint")) - 1;
+      drawing.joint_name = joint;
+      drawing.distance = value;
+      figures.items.push_back(figure_of(drawing));
+    } else {
+      ArmDrawing drawing;
+      drawing.id = id;
+      drawing.title = name;
+      drawing.text = say("symmetric.posture_single", joint, value);
+      drawing.nothing = say("figures.nothing");
+      drawing.scene.arm = arm;
+      drawing.scene.postures.push_back(
+          {name, radians_of(reading, "posture_deg"), std::nullopt, false});
+      figures.items.push_back(figure_of(drawing));
+      figures.items.back().live.clear();
+      figures.items.back().is_wide = false;
+    }
+  }
+  return figures;
+}
+
+Section result_section(const DocumentView& document, const Language& say) {
+  Section section{"summary", say("calibration.summary"), "", {headlines_of(document, say)}};
+  const std::vector<std::string> findings = findings_of(document, say);
+  if (!findings.empty()) {
+    section.blocks.emplace_back(Notice{document.flag("consistent") ? Tone::neutral : Tone::warning,
+                                       say("symmetric.findings"), findings});
+  }
+  return section;
+}
+
+}  // namespace
+
+Page symmetric_point_page(const DocumentView& document, const Language& say) {
+  Page page;
+  page.title = say("symmetric.title");
+  page.subtitle = document.text("arm");
+  page.stamp = stamp_of(document, say);
+  page.sections.push_back(result_section(document, say));
+  page.sections.push_back({"parameters",
+                           say("symmetric.chain_and_adjustment"),
+                           say("symmetric.chain_lead"),
+                           {parameters_of(document, say)}});
+  if (auto claims = claims_of(document, say)) {
+    page.sections.push_back(
+        {"claims", say("symmetric.claims"), say("symmetric.claims_lead"), {std::move(*claims)}});
+  }
+  page.sections.push_back(
+      {"readings", say("symmetric.readings"), "", {readings_of(document, say)}});
+  if (document.has("nominal_arm")) {
+    page.sections.push_back({"postures",
+                             say("symmetric.postures"),
+                             say("symmetric.postures_lead"),
+                             {postures_of(document, say)}});
+  }
+  if (auto leakage = leakage_of(document, say)) {
+    page.sections.push_back({"leakage",
+                             say("symmetric.leakage_title"),
+                             say("symmetric.leakage_lead"),
+                             {Figures{{std::move(*leakage)}}}});
+  }
+  return page;
+}
+
+}  // namespace armcal
