@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "armcal/report/number_format.h"
 #include "armcal/report/pages/control_chart_figure.h"

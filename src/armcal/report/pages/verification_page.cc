@@ -14,7 +14,6 @@
 #include "armcal/report/pages/verification_figures.h"
 #include "armcal/report/pages/verification_tables.h"
 #include "armcal/report/pages/verification_values.h"
-#include "armcal/report/shown_number.h"
 
 namespace armcal {
 namespace {
@@ -43,20 +42,11 @@ Stamp stamp_of(const DocumentView& document, const std::vector<VerifiedRow>& row
                const Language& say) {
   const Verdict verdict = verdict_in(document);
   const Tally tally = tally_of(rows);
-  std::vector<std::string> sentences;
-  switch (verdict) {
-    case Verdict::pass:
-      sentences.push_back(say("verification.sentence.pass", tally.passed, rows.size()));
-      break;
-    case Verdict::fail:
-      sentences.push_back(say("verification.sentence.fail", tally.failed, rows.size()));
-      break;
-    case Verdict::undecided:
-      sentences.push_back(say("verification.sentence.undecided", tally.undecided, rows.size()));
-      break;
-    case Verdict::not_judged:
-      sentences.push_back(say("verification.sentence.not_judged"));
-  }
+  const std::size_t count = verdict == Verdict::fail        ? tally.failed
+                            : verdict == Verdict::undecided ? tally.undecided
+                                                            : tally.passed;
+  std::vector<std::string> sentences = {
+      say(fmt::format("verification.sentence.{}", to_string(verdict)), count, rows.size())};
   if (document.has("as_found_verdict")) {
     sentences.push_back(say("verification.sentence.as_found",
                             word_of(verdict_in(document, "as_found_verdict"), say)));
@@ -103,7 +93,8 @@ void add_probability(const std::vector<VerifiedRow>& rows, const Language& say,
   const VerifiedRow* least = nullptr;
   for (const VerifiedRow& row : rows) {
     const auto& probability = row.judged.conformance_probability;
-    if (!probability) continue;
+    // Without an uncertainty it would be claimed to be certain.
+    if (!probability || row.judged.U_mm.value_or(0.0) <= 0.0) continue;
     if (least == nullptr || *probability < *least->judged.conformance_probability) least = &row;
   }
   if (least == nullptr) return;
@@ -190,7 +181,7 @@ Section summary_section(const DocumentView& document, const std::vector<Verified
   Notice incomplete = incomplete_notice(rows, say);
   if (!incomplete.lines.empty()) section.blocks.emplace_back(std::move(incomplete));
   const double k = document["decision"].number("coverage_factor");
-  section.blocks.push_back(tests_table(rows, document.has("as_found_verdict"), k, say));
+  section.blocks.push_back(tests_table(rows, have_as_left(rows), k, say));
   return section;
 }
 

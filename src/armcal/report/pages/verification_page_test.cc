@@ -115,6 +115,18 @@ TEST(VerificationPage, SetsAsFoundBesideAsLeft) {
   EXPECT_THAT(words_of(page), HasSubstr("Arm as left: left.arm.toml"));
 }
 
+// A table of coordinates cannot be put through the arm as left.
+TEST(VerificationPage, LeavesAsLeftBlankWhereOnlyAsFoundWasMeasured) {
+  Verification verification = example(kBad);
+  verification.as_left_file = "left.arm.toml";
+  verification.statistics[0].as_left = example(kGood).statistics[0].as_found;
+  verification.statistics.push_back(
+      statistic_of(length_errors({0.0123, 0.0044}), MaximumPermissibleError::constant(0.040)));
+  const std::string words = words_of(page_of_example(verification));
+  EXPECT_THAT(words, HasSubstr("| E_Uni | 0.0123 | – | 0.0400 | 0.0100 | 31 | pass | "));
+  EXPECT_THAT(words, HasSubstr("| 400 mm at P1, repeat 1 | 0.0044 | – | bar.csv:7 | "));
+}
+
 TEST(VerificationPage, DrawsEachLengthBetweenItsLimits) {
   const Section values = section_of(page_of_example(example(kGood)), "values");
   ASSERT_EQ(values.blocks.size(), 1u);

@@ -40,6 +40,20 @@ const VerifiedPart* part_named(const VerifiedValue& value) {
   return at == value.parts.end() ? nullptr : &*at;
 }
 
+std::string part_text(const VerifiedValue& value, std::size_t part) {
+  return part < value.parts.size() ? mm_text(value.parts[part].value_mm, value.U_mm) : mm_text({});
+}
+
+std::vector<Cell> cells_of_part(const VerifiedRow& row, std::size_t part, bool has_both) {
+  const VerifiedPart& judged = row.judged.parts[part];
+  std::vector<Cell> cells = {{row.title}, {judged.name}};
+  if (has_both) cells.push_back({part_text(row.as_found ? *row.as_found : row.judged, part)});
+  const bool has_value = row.as_found || !has_both;
+  cells.push_back({has_value ? part_text(row.judged, part) : mm_text({})});
+  cells.push_back({judged.where});
+  return cells;
+}
+
 }  // namespace
 
 Table tests_table(const std::vector<VerifiedRow>& rows, bool has_both, double coverage_factor,
@@ -83,26 +97,16 @@ Table deciding_table(const std::vector<VerifiedRow>& rows, const Language& say) 
 }
 
 Table few_parts_table(const std::vector<VerifiedRow>& rows, const Language& say) {
-  const bool has_both = std::any_of(
-      rows.begin(), rows.end(), [](const VerifiedRow& row) { return row.as_found.has_value(); });
+  const bool has_both = have_as_left(rows);
   Table table;
   table.columns = {{say("verification.test"), false}, {say("verification.part"), false}};
   if (has_both) table.columns.push_back({say("verification.as_found_mm")});
   table.columns.push_back({say(has_both ? "verification.as_left_mm" : "verification.value_mm")});
   table.columns.push_back({say("verification.from"), false});
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    const VerifiedValue& judged = rows[i].judged;
     if (are_worth_a_chart(rows[i]) || repeats_parts(rows, i)) continue;
-    for (std::size_t p = 0; p < judged.parts.size(); ++p) {
-      const VerifiedPart& part = judged.parts[p];
-      std::vector<Cell> cells = {{rows[i].title}, {part.name}};
-      const auto& found = rows[i].as_found;
-      if (has_both) {
-        const bool is_there = found && p < found->parts.size();
-        cells.push_back({is_there ? mm_text(found->parts[p].value_mm, found->U_mm) : mm_text({})});
-      }
-      cells.insert(cells.end(), {{mm_text(part.value_mm, judged.U_mm)}, {part.where}});
-      table.rows.push_back(std::move(cells));
+    for (std::size_t part = 0; part < rows[i].judged.parts.size(); ++part) {
+      table.rows.push_back(cells_of_part(rows[i], part, has_both));
     }
   }
   return table;

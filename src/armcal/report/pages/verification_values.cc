@@ -66,6 +66,11 @@ std::vector<VerifiedRow> verified_rows(const DocumentView& document, const Langu
   return rows;
 }
 
+bool have_as_left(const std::vector<VerifiedRow>& rows) {
+  return std::any_of(rows.begin(), rows.end(),
+                     [](const VerifiedRow& row) { return row.as_found.has_value(); });
+}
+
 bool are_worth_a_chart(const VerifiedRow& row) {
   constexpr std::size_t kEnough = 4;
   return row.judged.parts.size() >= kEnough;
