@@ -99,9 +99,11 @@ Headlines headlines_of(const Quality& quality, const DocumentView& document, con
 }
 
 void add_group_row(Table& table, const DocumentView& group, const std::string& rows,
-                   const DocumentView& statistics) {
+                   const DocumentView& statistics, const Language& say) {
+  const std::string kind = group.text("kind");
+  const std::string kind_key = fmt::format("calibration.kind_of.{}", kind);
   table.rows.push_back({{group.text("name")},
-                        {group.text("kind")},
+                        {say.has(kind_key) ? say(kind_key) : kind},
                         {rows},
                         {whole(statistics.number("count"))},
                         {fixed(statistics.number("rms_mm"), 4)},
@@ -122,15 +124,16 @@ Table groups_table(const DocumentView& document, const Language& say) {
   for (const DocumentView& group : document.list("groups")) {
     if (group.number("count") > 0) {
       if (group.has("nominal")) {
-        add_group_row(table, group, say("calibration.rows_nominal"), group["nominal"]);
+        add_group_row(table, group, say("calibration.rows_nominal"), group["nominal"], say);
       }
-      add_group_row(table, group, say("calibration.rows_fitted"), group);
+      add_group_row(table, group, say("calibration.rows_fitted"), group, say);
     }
     if (group.has("check")) {
-      add_group_row(table, group, say("calibration.rows_held_out"), group["check"]);
+      add_group_row(table, group, say("calibration.rows_held_out"), group["check"], say);
     }
     if (group.has("check_registered") && group.text("kind") != "length") {
-      add_group_row(table, group, say("calibration.rows_placed_anew"), group["check_registered"]);
+      add_group_row(table, group, say("calibration.rows_placed_anew"), group["check_registered"],
+                    say);
     }
   }
   table.note = say("calibration.groups_note");

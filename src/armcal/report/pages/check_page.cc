@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
+#include <cmath>
 
 #include "armcal/report/number_format.h"
 #include "armcal/report/pages/control_chart_figure.h"
@@ -48,12 +48,25 @@ std::size_t broken_now(const DocumentView& document, const Language& say) {
   return count;
 }
 
+// Does the last check exceed its limit?
+bool exceeds_now(const DocumentView& document, const Language& say) {
+  const std::vector<DocumentView> trends = document.list("trends");
+  return std::any_of(trends.begin(), trends.end(), [&](const DocumentView& trend) {
+    const TrendHistory history = trend_history(trend, say);
+    return history.limit_mm && !history.checks.empty() &&
+           std::abs(history.checks.back().value_mm) > *history.limit_mm;
+  });
+}
+
 bool has_check(const DocumentView& document) { return document.has("tests"); }
 
 Stamp stamp_of(const DocumentView& document, const Language& say) {
   const std::size_t broken = broken_now(document, say);
   const std::string unusual = say("check.sentence.unusual");
   if (!has_check(document)) {
+    if (exceeds_now(document, say)) {
+      return {say("check.stamp.exceeds"), say("check.sentence.fail"), Tone::bad};
+    }
     if (broken == 0) return {say("check.stamp.usual"), say("check.sentence.usual"), Tone::good};
     return {say("check.stamp.unusual"), unusual, Tone::warning};
   }

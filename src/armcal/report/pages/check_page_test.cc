@@ -116,6 +116,9 @@ TEST(CheckPage, StandsWithoutHistoryAndWithoutCheck) {
   EXPECT_EQ(page.stamp.word, "As usual");
   EXPECT_THAT(words_of(page), Not(HasSubstr("Values against their limits")));
 
+  look.trends = {weekly({0.00, 0.01, 0.00, 0.01, 0.06})};
+  EXPECT_EQ(page_of_example(look).stamp.word, "Limit exceeded");
+
   // One check: no centre line, no drift.
   EXPECT_THAT(words_of(page_of_example(example({0.01}))), HasSubstr("too few checks"));
 }

@@ -71,8 +71,8 @@ TEST(VerificationPlanPage, ShowsPlacesBarsAndCoverage) {
 
 TEST(VerificationPlanPage, DrawsEachStandardFromAboveAndFromTheSide) {
   const Page page = page_in("en", document_of_example());
-  const auto& iso = std::get<Figures>(section_of(page, "placement-1").blocks.at(0)).items;
-  const auto& asme = std::get<Figures>(section_of(page, "placement-2").blocks.at(0)).items;
+  const auto iso = std::get<Figures>(section_of(page, "placement-1").blocks.at(0)).items;
+  const auto asme = std::get<Figures>(section_of(page, "placement-2").blocks.at(0)).items;
   ASSERT_EQ(iso.size(), 2u);
   EXPECT_THAT(iso[0].svg, HasSubstr("probing (near)"));
   EXPECT_THAT(iso[0].svg, Not(HasSubstr("far seat")));

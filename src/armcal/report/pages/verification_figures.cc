@@ -30,7 +30,8 @@ LimitedValue limited(const VerifiedValue& value, const Language& say) {
   return limited;
 }
 
-LimitBarRow bar_of(const VerifiedRow& row, bool has_middle, const Language& say) {
+// @param has_both  an arm as left was verified too; a row that it gave nothing for is as found
+LimitBarRow bar_of(const VerifiedRow& row, bool has_middle, bool has_both, const Language& say) {
   LimitBarRow bar;
   bar.name = row.title;
   bar.symbol = row.judged.symbol;
@@ -42,7 +43,9 @@ LimitBarRow bar_of(const VerifiedRow& row, bool has_middle, const Language& say)
   bar.is_two_sided = row.is_signed;
   bar.guard = judged.guard_mm.value_or(0.0);
   bar.is_undecided_beyond = has_middle;
-  if (judged.value_mm) bar.as_left = limited(judged, say);
+  if (judged.value_mm) {
+    (has_both && !row.as_found ? bar.as_found : bar.as_left) = limited(judged, say);
+  }
   // Where the limit depends on the length, the two arms may be decided by different lengths: one
   // bar has one limit, so the value as found stands on it as the same share of its own.
   if (row.as_found && row.as_found->value_mm) {
@@ -54,19 +57,6 @@ LimitBarRow bar_of(const VerifiedRow& row, bool has_middle, const Language& say)
     }
   }
   return bar;
-}
-
-constexpr std::size_t kEnoughForChart = 4;
-
-// Has the row before of the same test the same values?
-bool are_shown_already(const VerifiedRow& row, const VerifiedRow* before) {
-  const auto& parts = row.judged.parts;
-  if (before == nullptr || before->test != row.test) return false;
-  const auto& others = before->judged.parts;
-  return std::equal(parts.begin(), parts.end(), others.begin(), others.end(),
-                    [](const VerifiedPart& one, const VerifiedPart& other) {
-                      return one.name == other.name && one.value_mm == other.value_mm;
-                    });
 }
 
 bool have_lengths(const VerifiedRow& row) {
@@ -126,7 +116,7 @@ void add_limit_of_parts(const VerifiedRow& row, const Language& say, Chart& char
   if (row.is_signed) chart.lines.push_back({false, -*judged.mpe_mm, "", Tone::bad});
 }
 
-Figure part_figure(const VerifiedRow& row, std::size_t number, const Language& say) {
+Figure part_figure(const VerifiedRow& row, std::size_t number, bool has_both, const Language& say) {
   const bool over_length = have_lengths(row);
   Chart chart;
   chart.id = fmt::format("parts-{}", number);
@@ -141,12 +131,16 @@ Figure part_figure(const VerifiedRow& row, std::size_t number, const Language& s
     chart.x.low = 0.5;
     chart.x.high = static_cast<double>(row.judged.parts.size()) + 0.5;
   }
+  const std::string as_found = say("verification.as_found");
   if (row.as_found) {
-    chart.series.push_back(
-        series_of(*row.as_found, over_length, kAsFoundStyle, say("verification.as_found")));
+    chart.series.push_back(series_of(*row.as_found, over_length, kAsFoundStyle, as_found));
   }
-  chart.series.push_back(series_of(row.judged, over_length, kJudgedStyle,
-                                   row.as_found ? say("verification.as_left") : std::string()));
+  if (has_both && !row.as_found) {
+    chart.series.push_back(series_of(row.judged, over_length, kAsFoundStyle, as_found));
+  } else {
+    chart.series.push_back(series_of(row.judged, over_length, kJudgedStyle,
+                                     has_both ? say("verification.as_left") : std::string()));
+  }
   if (over_length) {
     add_limits_of_lengths(row, say, chart);
   } else {
@@ -165,52 +159,23 @@ Figure limit_figure(const std::vector<VerifiedRow>& rows, const std::string& rul
   bars.text = say("verification.bars_text");
   bars.nothing = say("verification.no_values");
   bars.as_found = say("verification.as_found");
-  const bool has_both = std::any_of(
-      rows.begin(), rows.end(), [](const VerifiedRow& row) { return row.as_found.has_value(); });
+  const bool has_both = have_as_left(rows);
   bars.as_left = say(has_both ? "verification.as_left" : "verification.value");
   bars.uncertainty = say("verification.reach_of_u");
   bars.passes = say("verification.passes_here");
   bars.undecided = say("verification.undecided_here");
   const bool has_middle = rule == "iso14253-1" || rule == "conformance-probability";
-  for (const VerifiedRow& row : rows) bars.rows.push_back(bar_of(row, has_middle, say));
+  for (const VerifiedRow& row : rows) bars.rows.push_back(bar_of(row, has_middle, has_both, say));
   return figure_of(bars);
 }
 
 Figures part_figures(const std::vector<VerifiedRow>& rows, const Language& say) {
   Figures figures;
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (rows[i].judged.parts.size() < kEnoughForChart) continue;
-    if (are_shown_already(rows[i], i > 0 ? &rows[i - 1] : nullptr)) continue;
-    figures.items.push_back(part_figure(rows[i], i + 1, say));
+    if (!are_worth_a_chart(rows[i]) || repeats_parts(rows, i)) continue;
+    figures.items.push_back(part_figure(rows[i], i + 1, have_as_left(rows), say));
   }
   return figures;
-}
-
-Table few_parts_table(const std::vector<VerifiedRow>& rows, const Language& say) {
-  const bool has_both = std::any_of(
-      rows.begin(), rows.end(), [](const VerifiedRow& row) { return row.as_found.has_value(); });
-  Table table;
-  table.columns = {{say("verification.test"), false}, {say("verification.part"), false}};
-  if (has_both) table.columns.push_back({say("verification.as_found_mm")});
-  table.columns.push_back({say(has_both ? "verification.as_left_mm" : "verification.value_mm")});
-  table.columns.push_back({say("verification.from"), false});
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const VerifiedValue& judged = rows[i].judged;
-    if (judged.parts.size() >= kEnoughForChart) continue;
-    if (are_shown_already(rows[i], i > 0 ? &rows[i - 1] : nullptr)) continue;
-    for (std::size_t p = 0; p < judged.parts.size(); ++p) {
-      const VerifiedPart& part = judged.parts[p];
-      std::vector<Cell> cells = {{rows[i].title}, {part.name}};
-      const auto& found = rows[i].as_found;
-      if (has_both) {
-        const bool is_there = found && p < found->parts.size();
-        cells.push_back({is_there ? mm_text(found->parts[p].value_mm, found->U_mm) : mm_text({})});
-      }
-      cells.insert(cells.end(), {{mm_text(part.value_mm, judged.U_mm)}, {part.where}});
-      table.rows.push_back(std::move(cells));
-    }
-  }
-  return table;
 }
 
 }  // namespace armcal

@@ -20,7 +20,4 @@ namespace armcal {
 /// over calibrated lengths between the limits, deviations of each articulation.
 [[nodiscard]] Figures part_figures(const std::vector<VerifiedRow>& rows, const Language& say);
 
-/// The same as a table for statistics of so few values that a chart would tell less.
-[[nodiscard]] Table few_parts_table(const std::vector<VerifiedRow>& rows, const Language& say);
-
 }  // namespace armcal

@@ -12,8 +12,8 @@
 #include "armcal/report/pages/verdict_words.h"
 #include "armcal/report/pages/verification_budgets.h"
 #include "armcal/report/pages/verification_figures.h"
+#include "armcal/report/pages/verification_tables.h"
 #include "armcal/report/pages/verification_values.h"
-#include "armcal/report/shown_number.h"
 
 namespace armcal {
 namespace {
@@ -42,20 +42,11 @@ Stamp stamp_of(const DocumentView& document, const std::vector<VerifiedRow>& row
                const Language& say) {
   const Verdict verdict = verdict_in(document);
   const Tally tally = tally_of(rows);
-  std::vector<std::string> sentences;
-  switch (verdict) {
-    case Verdict::pass:
-      sentences.push_back(say("verification.sentence.pass", tally.passed, rows.size()));
-      break;
-    case Verdict::fail:
-      sentences.push_back(say("verification.sentence.fail", tally.failed, rows.size()));
-      break;
-    case Verdict::undecided:
-      sentences.push_back(say("verification.sentence.undecided", tally.undecided, rows.size()));
-      break;
-    case Verdict::not_judged:
-      sentences.push_back(say("verification.sentence.not_judged"));
-  }
+  const std::size_t count = verdict == Verdict::fail        ? tally.failed
+                            : verdict == Verdict::undecided ? tally.undecided
+                                                            : tally.passed;
+  std::vector<std::string> sentences = {
+      say(fmt::format("verification.sentence.{}", to_string(verdict)), count, rows.size())};
   if (document.has("as_found_verdict")) {
     sentences.push_back(say("verification.sentence.as_found",
                             word_of(verdict_in(document, "as_found_verdict"), say)));
@@ -64,6 +55,7 @@ Stamp stamp_of(const DocumentView& document, const std::vector<VerifiedRow>& row
     sentences.push_back(say("verification.sentence.incomplete", tally.incomplete, rows.size()));
   }
   Stamp stamp = armcal::stamp_of(verdict, run_on(sentences, say), say);
+  if (tally.incomplete > 0) stamp.word = say("verification.stamp.incomplete", stamp.word);
   // What passes but is no test of the standard is no plain pass.
   if (tally.incomplete > 0 && verdict == Verdict::pass) stamp.tone = Tone::warning;
   return stamp;
@@ -101,7 +93,8 @@ void add_probability(const std::vector<VerifiedRow>& rows, const Language& say,
   const VerifiedRow* least = nullptr;
   for (const VerifiedRow& row : rows) {
     const auto& probability = row.judged.conformance_probability;
-    if (!probability) continue;
+    // Without an uncertainty it would be claimed to be certain.
+    if (!probability || row.judged.U_mm.value_or(0.0) <= 0.0) continue;
     if (least == nullptr || *probability < *least->judged.conformance_probability) least = &row;
   }
   if (least == nullptr) return;
@@ -151,51 +144,6 @@ Notice incomplete_notice(const std::vector<VerifiedRow>& rows, const Language& s
   return notice;
 }
 
-// A seat is no artefact: where nothing is known to be uncertain, nothing is claimed to be exact.
-std::optional<double> claimed(const std::optional<double>& U_mm) {
-  return U_mm && *U_mm > 0.0 ? U_mm : std::nullopt;
-}
-
-std::vector<Cell> cells_of(const VerifiedRow& row, bool has_both, const Language& say) {
-  const VerifiedValue& judged = row.judged;
-  std::vector<Cell> cells = {{row.title}, {judged.symbol.empty() ? "\u2013" : judged.symbol}};
-  if (has_both) {
-    const VerifiedValue& found = row.as_found ? *row.as_found : judged;
-    cells.push_back({mm_text(found.value_mm, found.U_mm)});
-    cells.push_back(verdict_cell(found.verdict, say));
-    cells.push_back({row.as_found ? mm_text(judged.value_mm, judged.U_mm) : mm_text({})});
-  } else {
-    cells.push_back({mm_text(judged.value_mm, judged.U_mm)});
-  }
-  cells.insert(cells.end(), {{mm_text(judged.mpe_mm)},
-                             {mm_text(claimed(judged.U_mm), judged.U_mm)},
-                             {percent_text(judged.share_of_mpe)},
-                             verdict_cell(judged.verdict, say)});
-  return cells;
-}
-
-Table tests_table(const std::vector<VerifiedRow>& rows, bool has_both, double coverage_factor,
-                  const Language& say) {
-  Table table;
-  table.caption = say("verification.tests");
-  table.columns = {{say("verification.test"), false}, {say("verification.symbol"), false}};
-  if (has_both) {
-    table.columns.insert(table.columns.end(), {{say("verification.as_found_mm")},
-                                               {say("verification.verdict_as_found"), false},
-                                               {say("verification.as_left_mm")}});
-  } else {
-    table.columns.push_back({say("verification.value_mm")});
-  }
-  table.columns.insert(table.columns.end(),
-                       {{say("verification.mpe_mm")},
-                        {say("verification.U_mm", fmt::format("{:g}", coverage_factor))},
-                        {say("verification.share")},
-                        {say("verification.verdict_column"), false}});
-  for (const VerifiedRow& row : rows) table.rows.push_back(cells_of(row, has_both, say));
-  table.note = say("verification.tests_note");
-  return table;
-}
-
 std::string rule_in_words(const DocumentView& decision, const Language& say) {
   const std::string rule = decision.text("rule");
   if (std::find(kRules.begin(), kRules.end(), rule) == kRules.end()) {
@@ -226,30 +174,6 @@ Facts basis_of(const DocumentView& document, const Language& say) {
   return facts;
 }
 
-const VerifiedPart* part_named(const VerifiedValue& value) {
-  const auto at = std::find_if(value.parts.begin(), value.parts.end(),
-                               [&](const auto& part) { return part.name == value.decided_by; });
-  return at == value.parts.end() ? nullptr : &*at;
-}
-
-Table deciding_table(const std::vector<VerifiedRow>& rows, const Language& say) {
-  Table table;
-  table.caption = say("verification.decides");
-  table.columns = {{say("verification.test"), false},
-                   {say("verification.decided_by"), false},
-                   {say("verification.from"), false},
-                   {say("verification.limit"), false}};
-  for (const VerifiedRow& row : rows) {
-    if (row.judged.decided_by.empty()) continue;
-    const VerifiedPart* part = part_named(row.judged);
-    table.rows.push_back({{row.title},
-                          {row.judged.decided_by},
-                          {part == nullptr ? std::string() : part->where},
-                          {row.limit}});
-  }
-  return table;
-}
-
 Section summary_section(const DocumentView& document, const std::vector<VerifiedRow>& rows,
                         const Language& say) {
   Section section{"summary", say("verification.summary"), "", {}};
@@ -257,7 +181,7 @@ Section summary_section(const DocumentView& document, const std::vector<Verified
   Notice incomplete = incomplete_notice(rows, say);
   if (!incomplete.lines.empty()) section.blocks.emplace_back(std::move(incomplete));
   const double k = document["decision"].number("coverage_factor");
-  section.blocks.push_back(tests_table(rows, document.has("as_found_verdict"), k, say));
+  section.blocks.push_back(tests_table(rows, have_as_left(rows), k, say));
   return section;
 }
 
@@ -285,13 +209,7 @@ std::optional<Section> values_section(const std::vector<VerifiedRow>& rows, cons
 }
 
 Section definitions_section(const std::vector<VerifiedRow>& rows, const Language& say) {
-  Table table;
-  table.columns = {{say("verification.test"), false}, {say("verification.definition"), false}};
-  std::set<std::string> told;
-  for (const VerifiedRow& row : rows) {
-    if (told.insert(row.definition).second) table.rows.push_back({{row.title}, {row.definition}});
-  }
-  return {"definitions", say("verification.definitions"), "", {table}};
+  return {"definitions", say("verification.definitions"), "", {definitions_table(rows, say)}};
 }
 
 }  // namespace

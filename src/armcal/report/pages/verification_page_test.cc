@@ -111,8 +111,20 @@ TEST(VerificationPage, SetsAsFoundBesideAsLeft) {
   const Page page = page_of_example(verification);
   EXPECT_EQ(page.stamp.word, "Pass");
   EXPECT_THAT(page.stamp.sentence, HasSubstr("The arm as found: fail."));
-  EXPECT_THAT(words_of(page), HasSubstr("| 0.0811 | fail | 0.0110 | 0.0360 |"));
+  EXPECT_THAT(words_of(page), HasSubstr("| 0.0811 | 0.0110 | 0.0360 |"));
   EXPECT_THAT(words_of(page), HasSubstr("Arm as left: left.arm.toml"));
+}
+
+// A table of coordinates cannot be put through the arm as left.
+TEST(VerificationPage, LeavesAsLeftBlankWhereOnlyAsFoundWasMeasured) {
+  Verification verification = example(kBad);
+  verification.as_left_file = "left.arm.toml";
+  verification.statistics[0].as_left = example(kGood).statistics[0].as_found;
+  verification.statistics.push_back(
+      statistic_of(length_errors({0.0123, 0.0044}), MaximumPermissibleError::constant(0.040)));
+  const std::string words = words_of(page_of_example(verification));
+  EXPECT_THAT(words, HasSubstr("| E_Uni | 0.0123 | – | 0.0400 | 0.0100 | 31 | pass | "));
+  EXPECT_THAT(words, HasSubstr("| 400 mm at P1, repeat 1 | 0.0044 | – | bar.csv:7 | "));
 }
 
 TEST(VerificationPage, DrawsEachLengthBetweenItsLimits) {
@@ -134,7 +146,8 @@ TEST(VerificationPage, WarnsOfWhatIsMissing) {
   result.missing = {"length 200 mm at 1 position, 7 are asked for"};
   const Page page = page_of_example(verification, "zh");
   EXPECT_EQ(page.stamp.tone, Tone::warning);
-  EXPECT_THAT(words_of(page), HasSubstr("length_uni：length 200 mm 只有 1 个位置，要求 7 个"));
+  EXPECT_THAT(words_of(page), HasSubstr("length_uni：长度 200 mm 只有 1 个位置，要求 7 个"));
+  EXPECT_EQ(page.stamp.word, "合格（不完整）");
   EXPECT_THAT(page.stamp.sentence, HasSubstr("缺少标准要求的读数"));
 }
 

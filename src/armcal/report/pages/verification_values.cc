@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "armcal/report/pages/verification_values.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "armcal/report/pages/phrase_book.h"
@@ -63,6 +64,26 @@ std::vector<VerifiedRow> verified_rows(const DocumentView& document, const Langu
   std::vector<VerifiedRow> rows;
   for (const DocumentView& test : document.list("tests")) rows.push_back(row_of(test, say));
   return rows;
+}
+
+bool have_as_left(const std::vector<VerifiedRow>& rows) {
+  return std::any_of(rows.begin(), rows.end(),
+                     [](const VerifiedRow& row) { return row.as_found.has_value(); });
+}
+
+bool are_worth_a_chart(const VerifiedRow& row) {
+  constexpr std::size_t kEnough = 4;
+  return row.judged.parts.size() >= kEnough;
+}
+
+bool repeats_parts(const std::vector<VerifiedRow>& rows, std::size_t at) {
+  if (at == 0 || rows[at - 1].test != rows[at].test) return false;
+  const auto& parts = rows[at].judged.parts;
+  const auto& before = rows[at - 1].judged.parts;
+  return std::equal(parts.begin(), parts.end(), before.begin(), before.end(),
+                    [](const VerifiedPart& one, const VerifiedPart& other) {
+                      return one.name == other.name && one.value_mm == other.value_mm;
+                    });
 }
 
 }  // namespace armcal

@@ -49,4 +49,12 @@ struct VerifiedRow {
 [[nodiscard]] std::vector<VerifiedRow> verified_rows(const DocumentView& document,
                                                      const Language& say);
 
+/// Was an arm as left verified too? Rows without a value as found are of the arm as found then:
+/// their readings could not be put through the other one.
+[[nodiscard]] bool have_as_left(const std::vector<VerifiedRow>& rows);
+/// Are there so many parts that a chart tells more than a table?
+[[nodiscard]] bool are_worth_a_chart(const VerifiedRow& row);
+/// Has the row before, of the same test, the same parts?
+[[nodiscard]] bool repeats_parts(const std::vector<VerifiedRow>& rows, std::size_t at);
+
 }  // namespace armcal
