@@ -3,7 +3,7 @@
 //
 // node screenshots.mjs REPORTS IMAGES: pictures of REPORTS/report.en.html and report.zh.html (scripts/screenshots).
 import { join } from "node:path";
-import { openBrowser, openReport, showAllFigures } from "./test/browser.mjs";
+import { openBrowser, openReport, painted, showAllFigures } from "./test/browser.mjs";
 import { findTool, run } from "./test/tools.mjs";
 
 const [reports, images] = process.argv.slice(2);
@@ -14,7 +14,7 @@ async function picture(name, language, options, selector = null) {
   const page = await openReport(browser, report(language), options);
   await showAllFigures(page);
   await page.evaluate((wanted) => (wanted ? document.querySelector(wanted).scrollIntoView({ behavior: "instant" }) : scrollTo(0, 0)), selector);
-  await page.waitForTimeout(300);
+  for (let i = 0; i < 5; ++i) await painted(page);
   await page.screenshot({ path: join(images, `${name}.png`) });
   await page.context().close();
 }

@@ -1,21 +1,20 @@
 // SPDX-FileCopyrightText: the armcal authors
 // SPDX-License-Identifier: Apache-2.0
 // The arm in space, to be turned by its joints: built from the model alone, drawn only when something has changed.
-import { AmbientLight, Color, DirectionalLight, HemisphereLight, MeshStandardMaterial, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from "three";
+import { AmbientLight, Color, DirectionalLight, HemisphereLight, MeshStandardMaterial, Scene, Vector3, WebGLRenderer } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { element } from "./element.js";
 import { livePlace } from "./figure.js";
 import { postureOf } from "./kinematics.js";
 import { fixedText, numberText } from "./number_text.js";
 import { ArmBody } from "./scene_arm.js";
+import { cameraFor, lookAt, moveByKey } from "./scene_camera.js";
 import { panelOf } from "./scene_panel.js";
 import { Measured } from "./scene_postures.js";
 import { artefactsOf, axesOf, groundOf, roundLength } from "./scene_world.js";
 import { colour, onThemeChange } from "./theme.js";
 import { say } from "./words.js";
 
-const VIEW_DEG = 35; // from top to bottom
-const FILLED = 0.85; // part of the view that the arm and its postures take at first
 const INKS = { joint: "--scene-joint", link: "--scene-link", tip: "--ink", fit: "--series-0", check: "--series-1", artefact: "--series-2" };
 
 // One renderer for all scenes of a page: browsers allow few. Null where there are no 3-D graphics.
@@ -104,8 +103,7 @@ class LiveScene {
     sun.position.set(1, -1.5, 2.5);
     this.scene.add(sun, this.arm.group, this.measured.group, artefactsOf(model.artefacts, size * 0.008, this.materials.artefact));
     this.arm.take(this.posture);
-    this.camera = new PerspectiveCamera(VIEW_DEG, 1, size / 100, size * 20);
-    this.camera.up.set(0, 0, 1);
+    this.camera = cameraFor(size);
   }
 
   layOut() {
@@ -194,48 +192,18 @@ class LiveScene {
   }
 
   reset() {
-    const toCamera = new Vector3(0.55, -0.75, 0.42).normalize();
     this.controls.target.copy(this.middle);
-    this.camera.position.copy(this.middle).addScaledVector(toCamera, this.distanceFor(toCamera));
+    lookAt(this.camera, this.middle, this.places, this.view.clientWidth / this.view.clientHeight || 1);
     this.controls.update();
     this.say();
     this.draw();
   }
 
-  // From where, in this direction, everything is just in view.
-  distanceFor(toCamera) {
-    const { clientWidth: width, clientHeight: height } = this.view;
-    const right = new Vector3().crossVectors(this.camera.up, toCamera).normalize();
-    const up = new Vector3().crossVectors(toCamera, right);
-    const rise = FILLED * Math.tan((VIEW_DEG * Math.PI) / 360);
-    const run = rise * (width / height || 1);
-    return this.places.reduce((distance, place) => {
-      const from = new Vector3(...place).sub(this.middle);
-      return Math.max(distance, from.dot(toCamera) + Math.max(Math.abs(from.dot(right)) / run, Math.abs(from.dot(up)) / rise));
-    }, 1);
-  }
-
   onKey(event) {
-    const turns = { ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, -0.1], ArrowDown: [0, 0.1] };
-    const factors = { "+": 0.85, "-": 1 / 0.85 };
     if (event.ctrlKey || event.metaKey || event.altKey) return;
-    const way = new Vector3().subVectors(this.camera.position, this.controls.target);
-    if (turns[event.key]) {
-      const [around, over] = turns[event.key];
-      const side = new Vector3().crossVectors(this.camera.up, way).normalize();
-      const tilted = way.clone().applyAxisAngle(side, over);
-      if (tilted.angleTo(this.camera.up) > 0.05 && tilted.angleTo(this.camera.up) < 3.09) way.copy(tilted);
-      way.applyAxisAngle(this.camera.up, around);
-    } else if (factors[event.key]) {
-      way.multiplyScalar(factors[event.key]);
-    } else if (event.key === "Escape") {
-      this.reset();
-      return;
-    } else {
-      return;
-    }
+    if (event.key === "Escape") return this.reset();
+    if (!moveByKey(this.camera, this.controls.target, event.key)) return;
     event.preventDefault();
-    this.camera.position.addVectors(this.controls.target, way);
     this.controls.update();
     this.draw();
   }

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <kainjow/mustache.hpp>
 #include <nlohmann/json.hpp>
 
@@ -13,6 +12,7 @@
 #include "armcal/io/sha256.h"
 #include "armcal/report/document.h"
 #include "armcal/report/html/assets.h"
+#include "armcal/report/html/paper_style.h"
 #include "armcal/report/html/script_json.h"
 
 namespace armcal {
@@ -218,35 +218,6 @@ void set_words(Data& data, const Language& language) {
   data.set("words_for_script", script_safe(for_script.dump()));
 }
 
-// A text of CSS: what could end it, or the style element, is written as a number.
-std::string css_text(std::string_view text) {
-  std::string css = "\"";
-  for (const char c : text) {
-    const auto code = static_cast<unsigned char>(c);
-    const bool is_plain =
-        std::isalnum(code) != 0 || c == ' ' || c == '-' || c == '.' || code >= 0x80;
-    css += is_plain ? std::string(1, c) : fmt::format("\\{:x} ", code);
-  }
-  return css + "\"";
-}
-
-// Number of the report and of the page, in the margin of every page of paper.
-std::string paper_style(const Page& page, const Language& language) {
-  const std::string_view slot = "\x1f";
-  const std::string counted = language("paper.page_of", slot, slot);
-  const std::size_t first = counted.find(slot);
-  const std::size_t second = counted.find(slot, first + 1);
-  const std::string_view text = counted;
-  const std::string number =
-      page.number.empty() ? page.title
-                          : fmt::format("{} {}", language("page.report_number"), page.number);
-  return fmt::format(
-      "@page{{@bottom-left{{content:{}}}@bottom-right{{content:{} counter(page) {} counter(pages) "
-      "{}}}}}",
-      css_text(number), css_text(text.substr(0, first)),
-      css_text(text.substr(first + 1, second - first - 1)), css_text(text.substr(second + 1)));
-}
-
 std::string policy_for(const std::string& script) {
   std::string policy =
       "default-src 'none'; style-src 'unsafe-inline'; img-src data:; font-src data:";
@@ -278,7 +249,11 @@ std::string html_of(const Page& page, const Language& language, const std::strin
   data.set("stamp", stamp);
   data.set("sections", data_of(page.sections, language));
   data.set("style", std::string(report_asset("report.css")));
-  data.set("paper_style", paper_style(page, language));
+  data.set("paper_style",
+           paper_style(page.number.empty()
+                           ? page.title
+                           : fmt::format("{} {}", language("page.report_number"), page.number),
+                       language));
   data.set("script", text_or_false(script));
   data.set("policy", policy_for(script));
   data.set("version", std::string(kVersion));
