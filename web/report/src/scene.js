@@ -15,6 +15,7 @@ import { colour, onThemeChange } from "./theme.js";
 import { say } from "./words.js";
 
 const VIEW_DEG = 35; // from top to bottom
+const FILLED = 0.85; // part of the view that the arm and its postures take at first
 const INKS = { joint: "--scene-joint", link: "--scene-link", tip: "--ink", fit: "--series-0", check: "--series-1", artefact: "--series-2" };
 
 // One renderer for all scenes of a page: browsers allow few. Null where there are no 3-D graphics.
@@ -76,12 +77,12 @@ class LiveScene {
   // How large everything is, and where its middle lies.
   measure() {
     this.posture = postureOf(this.model.arm, this.q_deg);
-    const places = [
+    const places = (this.places = [
       [0, 0, 0],
       ...this.posture.joints.flatMap(({ corners }) => corners),
       ...this.model.postures.map(({ tip_mm }) => tip_mm),
       ...this.model.artefacts.flatMap(({ kind, at_mm, to_mm }) => (kind === "bar" ? [at_mm, to_mm] : [at_mm])),
-    ];
+    ]);
     const low = [0, 1, 2].map((k) => places.reduce((least, p) => Math.min(least, p[k]), Infinity));
     const high = [0, 1, 2].map((k) => places.reduce((most, p) => Math.max(most, p[k]), -Infinity));
     this.middle = new Vector3(...low.map((v, k) => (v + high[k]) / 2));
@@ -114,7 +115,7 @@ class LiveScene {
       this.canvas.setAttribute(key, value);
     }
     this.readout = element("p", { class: "readout" });
-    this.panel = panelOf(this.model, {
+    this.panel = panelOf(this.model, this.figure.classList.contains("wide"), {
       turn: (i, deg) => this.turn(i, deg),
       choose: (index) => this.choose(index),
       enlarge: (factor) => {
@@ -193,14 +194,25 @@ class LiveScene {
   }
 
   reset() {
-    const { clientWidth: width, clientHeight: height } = this.view;
-    const slimmer = Math.min(1, width / height) || 1;
-    const away = (0.56 * this.size) / Math.sin(Math.atan(slimmer * Math.tan((VIEW_DEG * Math.PI) / 360)));
+    const toCamera = new Vector3(0.55, -0.75, 0.42).normalize();
     this.controls.target.copy(this.middle);
-    this.camera.position.copy(this.middle).add(new Vector3(0.55, -0.75, 0.42).normalize().multiplyScalar(away));
+    this.camera.position.copy(this.middle).addScaledVector(toCamera, this.distanceFor(toCamera));
     this.controls.update();
     this.say();
     this.draw();
+  }
+
+  // From where, in this direction, everything is just in view.
+  distanceFor(toCamera) {
+    const { clientWidth: width, clientHeight: height } = this.view;
+    const right = new Vector3().crossVectors(this.camera.up, toCamera).normalize();
+    const up = new Vector3().crossVectors(toCamera, right);
+    const rise = FILLED * Math.tan((VIEW_DEG * Math.PI) / 360);
+    const run = rise * (width / height || 1);
+    return this.places.reduce((distance, place) => {
+      const from = new Vector3(...place).sub(this.middle);
+      return Math.max(distance, from.dot(toCamera) + Math.max(Math.abs(from.dot(right)) / run, Math.abs(from.dot(up)) / rise));
+    }, 1);
   }
 
   onKey(event) {

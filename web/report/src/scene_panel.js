@@ -33,7 +33,8 @@ function rangeOf(joint, readings) {
   return [Math.floor(low), Math.ceil(high)];
 }
 
-export function panelOf(model, actions) {
+// @param isRoomy  joints are shown at once, not only when asked for
+export function panelOf(model, isRoomy, actions) {
   const joints = model.arm.joints.map((joint, i) => {
     const [low, high] = rangeOf(joint, model.postures.map((posture) => posture.q_deg[i]));
     return slider({
@@ -71,9 +72,9 @@ export function panelOf(model, actions) {
     enlargement.set(around);
     rows.push(enlargement.row);
   }
-  const legend = element("fieldset", {}, element("legend", {}, say("joints")), ...joints.map((joint) => joint.row));
+  const folder = element("details", { open: isRoomy }, element("summary", {}, say("joints")), ...joints.map((joint) => joint.row));
   return {
-    element: element("div", { class: "panel" }, ...rows, legend),
+    element: element("div", { class: "panel" }, ...rows, folder),
     // @param chosen  index of the measured posture; null: none
     show(q_deg, chosen) {
       joints.forEach((joint, i) => joint.set(q_deg[i]));

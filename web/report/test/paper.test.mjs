@@ -42,12 +42,12 @@ for (const [name, path] of Object.entries(reports)) {
   });
 }
 
-// Words of the page that are not among those of its paper. Words that a line breaks are not looked for.
+// Words of the page that are not on its paper. Words that a line may break, and those with raised or lowered letters,
+// are not looked for.
 async function wordsNotOn(paper, page) {
-  const text = paper.normalize("NFKC");
   const texts = await page.locator("main :is(td, th, dt, dd, h2, h3, p):visible, h1, .stamp").allInnerTexts();
-  const words = new Set(texts.join(" ").normalize("NFKC").split(/\s+/).filter((word) => word.length < 15 && !/[-/]./.test(word)));
-  return [...words].filter((word) => !text.includes(word));
+  const words = new Set(texts.join(" ").split(/\s+/).filter((word) => word.length < 15 && /^[ -ÿ−]*$/.test(word) && !/[-/]./.test(word)));
+  return [...words].filter((word) => !paper.includes(word));
 }
 
 // Words that reach into the margin or past the paper.

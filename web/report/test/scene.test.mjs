@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { openBrowser, openReport, showAllFigures } from "./browser.mjs";
+import { openBrowser, openReport, painted, showAllFigures } from "./browser.mjs";
 import { postureOf } from "../src/kinematics.js";
 import { liveModels, reportsOf } from "./reports.mjs";
 
@@ -38,7 +38,7 @@ test("the arm stands in a measured posture where its tip was", async () => {
 });
 
 test("every slider turns its joint", async () => {
-  const sliders = page.locator(".panel fieldset input[type=range]");
+  const sliders = page.locator(".panel details input[type=range]");
   const count = await sliders.count();
   assert.equal(count, await page.evaluate(() => armcalReport.scenes[0].joints().length));
   for (let i = 0; i < count; ++i) {
@@ -55,7 +55,9 @@ test("every slider turns its joint", async () => {
 
 test("the arm is drawn anew when it moves, and only then", async () => {
   const frames = () => page.evaluate(() => armcalReport.scenes[0].frames());
-  const settle = () => page.waitForTimeout(100);
+  const settle = async () => {
+    for (let i = 0; i < 3; ++i) await painted(page);
+  };
   await settle();
   const still = await frames();
   await settle();

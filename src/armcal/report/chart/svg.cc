@@ -154,32 +154,4 @@ const char* tone_colour(Tone tone) {
   return "currentColor";
 }
 
-const char* tone_class(Tone tone) {
-  switch (tone) {
-    case Tone::good:
-      return "good";
-    case Tone::bad:
-      return "bad";
-    case Tone::warning:
-      return "warning";
-    case Tone::neutral:
-      break;
-  }
-  return "neutral";
-}
-
-const char* tone_sign(Tone tone) {
-  switch (tone) {
-    case Tone::good:
-      return "\u2713";
-    case Tone::bad:
-      return "\u2717";
-    case Tone::warning:
-      return "\u26a0\ufe0e";
-    case Tone::neutral:
-      break;
-  }
-  return "";
-}
-
 }  // namespace armcal

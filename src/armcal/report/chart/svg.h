@@ -69,8 +69,6 @@ class SvgDrawing {
 /// "var(--series-0, #0072b2)": the theme's colour, else one of the Okabe-Ito palette.
 [[nodiscard]] std::string series_colour(int style);
 [[nodiscard]] const char* tone_colour(Tone tone);
-[[nodiscard]] const char* tone_class(Tone tone);
-[[nodiscard]] const char* tone_sign(Tone tone);  ///< empty for neutral
 
 inline constexpr const char* kPaperColour = "var(--paper, Canvas)";
 inline constexpr double kTextSize = 13.0;

@@ -12,6 +12,11 @@ namespace armcal {
 /// How a thing stands. Shown by a sign and a word, and by colour beside them.
 enum class Tone { neutral, good, bad, warning };
 
+/// Its class in report.css: "good".
+[[nodiscard]] const char* tone_class(Tone tone);
+/// Its sign, which needs no colour; empty for neutral.
+[[nodiscard]] const char* tone_sign(Tone tone);
+
 /// A figure that is read first.
 struct Headline {
   std::string label;

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
 #include <kainjow/mustache.hpp>
 #include <nlohmann/json.hpp>
@@ -49,39 +50,11 @@ Data text_or_false(const std::string& text) {
 
 Data boolean(bool value) { return Data(value ? Data::type::bool_true : Data::type::bool_false); }
 
-const char* class_of(Tone tone) {
-  switch (tone) {
-    case Tone::good:
-      return "good";
-    case Tone::bad:
-      return "bad";
-    case Tone::warning:
-      return "warning";
-    case Tone::neutral:
-      break;
-  }
-  return "neutral";
-}
-
-const char* sign_of(Tone tone) {
-  switch (tone) {
-    case Tone::good:
-      return "\u2713";
-    case Tone::bad:
-      return "\u2717";
-    case Tone::warning:
-      return "\u26a0\ufe0e";
-    case Tone::neutral:
-      break;
-  }
-  return "";
-}
-
 void set_tone(Data& data, Tone tone, const Language& language) {
-  data.set("tone", class_of(tone));
-  data.set("sign", text_or_false(sign_of(tone)));
+  data.set("tone", tone_class(tone));
+  data.set("sign", text_or_false(tone_sign(tone)));
   const bool has_word = tone != Tone::neutral;
-  data.set("tone_word", has_word ? language(fmt::format("tone.{}", class_of(tone))) : "");
+  data.set("tone_word", has_word ? language(fmt::format("tone.{}", tone_class(tone))) : "");
 }
 
 Data list_of(const std::vector<std::string>& texts) {
@@ -293,7 +266,8 @@ std::string html_of(const Page& page, const Language& language, const std::strin
   data.set("subtitle", text_or_false(page.subtitle));
   data.set("number", text_or_false(page.number));
   data.set("head", data_of(page.head));
-  data.set("has_head", boolean(!page.head.rows.empty()));
+  data.set("has_head", boolean(std::any_of(page.head.rows.begin(), page.head.rows.end(),
+                                           [](const auto& row) { return !row.second.empty(); })));
   Data stamp(Data::type::bool_false);
   if (!page.stamp.word.empty()) {
     stamp = Data();
