@@ -41,7 +41,7 @@ Table table_of(const DocumentView& document, const Language& say) {
                    {"u"},
                    {say("parameters.unit"), false},
                    {say("diff.ratio")},
-                   {"", false}};
+                   {say("compare.remark"), false}};
   for (const DocumentView& change : document.list("changes")) {
     if (is_idle(change)) continue;
     const ShownUnit shown = shown_unit(change.text("name"), change.text("unit"));
