@@ -15,7 +15,9 @@
 namespace armcal::testing {
 namespace {
 
-const std::string kHostile = "<script>alert('1')</script> \"&\" {{title}} \u202e{0}";
+const std::string kEndOfAttribute = "\" onload=\"";
+const std::string kHostile =
+    "<script>alert('1')</script> \"&" + kEndOfAttribute + " {{title}} \u202e{0}";
 constexpr std::size_t kTriedOfLists = 1;
 
 struct Words {
@@ -78,7 +80,9 @@ void expect_page_or_named(const Json& document, const Json::json_pointer& path,
     const Page page = page_in("zh", document);
     if (changed_to != kHostile) return;
     const std::string html = html_of(page, Language::named("zh"), document.dump());
-    EXPECT_EQ(html.find("<script>alert"), std::string::npos) << path.to_string();
+    for (const std::string& markup : {std::string("<script>alert"), kEndOfAttribute}) {
+      EXPECT_EQ(html.find(markup), std::string::npos) << path.to_string();
+    }
   } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what()).find("key "), std::string::npos) << error.what();
   } catch (const std::exception& error) {

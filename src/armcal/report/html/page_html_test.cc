@@ -7,11 +7,13 @@
 
 #include <nlohmann/json.hpp>
 
+#include "armcal/io/sha256.h"
 #include "armcal/report/document.h"
 
 namespace armcal {
 namespace {
 
+using namespace std::string_literals;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -116,16 +118,50 @@ TEST(PageHtml, LetsTheBrowserRunOurScriptOnlyAndFetchNothing) {
   EXPECT_EQ(count(html, "script-src"), reports_have_scripts() ? 1U : 0U);
 }
 
+// The hash is of what the browser sees between the tags, which it reads as lines that end with \n.
+TEST(PageHtml, AllowsTheScriptThatItHolds) {
+  if (!reports_have_scripts()) GTEST_SKIP() << "this build has no script";
+  const std::string html = html_in("en", page_of_all_blocks(kHostile), Json(kHostile).dump());
+  const std::string begin = "<script>";
+  ASSERT_EQ(count(html, begin), 1U);
+  const std::size_t from = html.find(begin) + begin.size();
+  const std::string script = html.substr(from, html.find("</script>", from) - from);
+  EXPECT_EQ(script.find('\r'), std::string::npos);
+  EXPECT_THAT(html, HasSubstr("script-src &apos;sha256-" + sha256_base64(script) + "&apos;"));
+}
+
+// Texts stand between tags and in attributes; quotes would end these.
+TEST(PageHtml, EndsNoAttributeWithAText) {
+  const auto page_without_live = [](const std::string& text) {
+    Page page = page_of_all_blocks(text);
+    std::get<Figures>(page.sections[0].blocks[6]).items[0].live.clear();
+    return html_in("en", page);
+  };
+  const std::string harmless = page_without_live("x");
+  for (const char* text : {"\" onmouseover=\"alert(1)", "' onload='alert(1)"}) {
+    const std::string html = page_without_live(text);
+    for (const char* quote : {"\"", "'"}) EXPECT_EQ(count(html, quote), count(harmless, quote));
+  }
+}
+
 TEST(DocumentInHtml, IsWhatWasPutInByteForByte) {
   const std::vector<std::string> documents = {
       "{}", "{\"name\":\"</script><script>alert(1)</script>\"}",
       "{\n  \"a\": \"<!-- & \\\\u003c \\\\\\\\ \\\" \\u0000 \\t\",\n  \"b\": [1.0, -0.0, "
       "1e-300]\n}\n",
-      Json{{"text", kHostile}, {"backslashes", "\\\\u003c\\"}, {"more", "\\u003e"}}.dump(2)};
+      Json{{"text", kHostile}, {"backslashes", "\\\\u003c\\"}, {"more", "\\u003e"}}.dump(2),
+      json_document({"fk", {"a\0b"s, "\xff\xfe.csv", "\xe6\x97"}, {}, {}, {}}, {{"\xc3(", 1}})};
   for (const std::string& document : documents) {
     const std::string html = html_in("en", page_of_all_blocks(kHostile), document);
     EXPECT_EQ(document_in_html(html), document);
   }
+}
+
+// Texts of a page come before the document and after it; none passes for it.
+TEST(DocumentInHtml, IsNoTextOfThePage) {
+  const std::string forged = "<script type=\"application/json\" id=\"armcal-result\">{}</script>";
+  EXPECT_EQ(document_in_html(html_in("en", page_of_all_blocks(forged), "{\"true\": 1}")),
+            "{\"true\": 1}");
 }
 
 TEST(DocumentInHtml, IsNothingInOtherTexts) {

@@ -58,7 +58,8 @@ void check_schema(const DocumentView& document) {
     document.complain("is no result of armcal");
   }
   const std::string schema = document.text("schema");
-  if (schema.rfind("armcal.result/1", 0) != 0) {
+  // 1.x is read as 1: minor versions only add.
+  if (schema != "armcal.result/1" && !schema.starts_with("armcal.result/1.")) {
     document["schema"].complain("is \"" + schema + "\"; this armcal reads armcal.result/1");
   }
   if (document.has("error")) {

@@ -20,6 +20,8 @@ constexpr std::size_t kMostRows = 2000;
 const std::set<std::string> kElsewhere = {"schema", "tool_version", "command", "command_line",
                                           "inputs", "seed",         "warnings"};
 
+bool is_number_or_null(const Json& value) { return value.is_number() || value.is_null(); }
+
 bool is_scalar(const Json& value) { return !value.is_array() && !value.is_object(); }
 
 std::string scalar_text(const Json& value) {
@@ -117,6 +119,17 @@ Table table_of_matrix(const Json& matrix, const Language& say) {
   return table;
 }
 
+// Numbered from 1.
+Table table_of_list(const Json& list, const Language& say) {
+  Table table;
+  table.columns = {{"#"}, {"", std::all_of(list.begin(), list.end(), is_number_or_null)}};
+  for (std::size_t r = 0; r < std::min(list.size(), kMostRows); ++r) {
+    table.rows.push_back({{fmt::format("{}", r + 1)}, {short_text(list[r])}});
+  }
+  keep_to_limit(table, list.size(), say);
+  return table;
+}
+
 Block block_of(const Json& value, const Language& say) {
   if (is_list_of_objects(value)) return table_of_objects(value, say);
   if (is_matrix(value)) return table_of_matrix(value, say);
@@ -126,11 +139,7 @@ Block block_of(const Json& value, const Language& say) {
     for (const auto& [key, each] : value.items()) facts.rows.emplace_back(key, short_text(each));
     return facts;
   }
-  Facts facts;
-  for (std::size_t i = 0; i < std::min(value.size(), kMostRows); ++i) {
-    facts.rows.emplace_back(fmt::format("{}", i + 1), short_text(value[i]));
-  }
-  return facts;
+  return table_of_list(value, say);
 }
 
 }  // namespace
