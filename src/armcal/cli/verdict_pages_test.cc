@@ -104,7 +104,7 @@ TEST(VerdictPages, ShowTheChecksOfTheExamples) {
   EXPECT_THAT(words_of(page),
               HasSubstr("Largest deviation | " + four_decimals(document["tests"][0]["value_mm"])));
   EXPECT_THAT(words_of(page), HasSubstr("4 | 2026-01-04 | "));
-  EXPECT_EQ(page.sections.size(), 4u);  // summary, two trends, origin
+  EXPECT_EQ(page.sections.size(), 5u);  // summary, two trends, definitions, origin
   expect_chinese(document["tests"], words_of(page_in("zh", document)));
 }
 

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "armcal/core/units.h"
+#include "armcal/io/arm_file.h"
 #include "armcal/report/number_format.h"
 #include "armcal/report/text_table.h"
 
@@ -110,6 +111,7 @@ std::string worksheet_text(const HalfTurnPlan& plan) {
 
 Json json_result(const HalfTurnPlan& plan) {
   Json json;
+  json["arm"] = arm_text(plan.arm);
   json["rank"] = plan.rank();
   json["condition_number"] = plan.condition_number;
   json["length_error_mm"] = plan.length_error_mm;

@@ -116,8 +116,7 @@ Table tests_table(const DocumentView& document, const Language& say) {
                    {say("verification.value_mm")},
                    {say("check.limit_mm")},
                    {say("check.share")},
-                   {say("verification.verdict_column"), false},
-                   {say("check.definition"), false}};
+                   {say("verification.verdict_column"), false}};
   for (const DocumentView& test : document.list("tests")) {
     const double value = test.number("value_mm");
     const auto limit = test.number_if("mpe_mm");
@@ -127,11 +126,20 @@ Table tests_table(const DocumentView& document, const Language& say) {
                           {mm_text(value)},
                           {mm_text(limit)},
                           {percent_text(share)},
-                          verdict_cell(verdict_in(test), say),
-                          {in_language(test.text("definition"), "check.phrase", say)}});
+                          verdict_cell(verdict_in(test), say)});
   }
   table.note = say("check.tests_note");
   return table;
+}
+
+Section definitions_section(const DocumentView& document, const Language& say) {
+  Table table;
+  table.columns = {{say("check.quantity"), false}, {say("check.definition"), false}};
+  for (const DocumentView& test : document.list("tests")) {
+    table.rows.push_back({{title_of_check_value(test.text("name"), say)},
+                          {in_language(test.text("definition"), "check.phrase", say)}});
+  }
+  return {"definitions", say("verification.definitions"), "", {table}};
 }
 
 Table places_table(const DocumentView& document, const Language& say) {
@@ -250,6 +258,7 @@ Page check_page(const DocumentView& document, const Language& say) {
     page.sections.push_back(
         {"history", say("check.history"), "", {Paragraph{say("check.no_history")}}});
   }
+  if (has_check(document)) page.sections.push_back(definitions_section(document, say));
   return page;
 }
 

@@ -11,6 +11,8 @@
 #include "armcal/report/pages/comparison_page.h"
 #include "armcal/report/pages/demo_page.h"
 #include "armcal/report/pages/details_sections.h"
+#include "armcal/report/pages/diff_page.h"
+#include "armcal/report/pages/half_turn_plan_page.h"
 #include "armcal/report/pages/plain_page.h"
 #include "armcal/report/pages/plan_page.h"
 #include "armcal/report/pages/probe_page.h"
@@ -39,6 +41,8 @@ constexpr std::array kPages = {
     PageKind{"check", check_page},
     PageKind{"plan verification", verification_plan_page},
     PageKind{"probe", probe_page},
+    PageKind{"plan symmetric-point", half_turn_plan_page},
+    PageKind{"diff", diff_page},
 };
 
 Page page_by_command(const DocumentView& document, const Language& say) {

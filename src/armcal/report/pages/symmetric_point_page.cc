@@ -8,11 +8,10 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "armcal/core/units.h"
-#include "armcal/report/chart/arm_drawing.h"
 #include "armcal/report/chart/heat_map.h"
 #include "armcal/report/number_format.h"
 #include "armcal/report/pages/arm_of.h"
+#include "armcal/report/pages/posture_figures.h"
 #include "armcal/report/shown_number.h"
 
 namespace armcal {
@@ -280,51 +279,16 @@ std::optional<Figure> leakage_of(const DocumentView& document, const Language& s
   return figure_of(map);
 }
 
-Eigen::VectorXd radians_of(const DocumentView& reading, const char* key) {
-  const std::vector<double> deg = reading.numbers(key);
-  return Eigen::Map<const Eigen::VectorXd>(deg.data(), static_cast<Eigen::Index>(deg.size())) *
-         radians_from_degrees(1.0);
-}
-
-// Reversals as two postures, other readings as the one they start from.
 Figures postures_of(const DocumentView& document, const Language& say) {
-  Figures figures;
-  const ArmModel arm =
-      arm_of(document, document.has("adjusted_arm") ? "adjusted_arm" : "nominal_arm");
+  std::vector<PostureReading> readings;
   for (const DocumentView& reading : document.list("readings")) {
-    const std::string name = reading.text("name");
     const std::string value = fmt::format(
         "{} {}", fixed(reading.number("value"), decimals_of(reading)), reading.text("unit"));
-    const std::string id = fmt::format("posture-{}", figures.items.size() + 1);
-    const std::string joint = say("figures.joint", whole(reading.number("joint")));
-    if (reading.has("posture_end_deg")) {
-      HalfTurnDrawing drawing;
-      drawing.id = id;
-      drawing.title = name;
-      drawing.text = say("symmetric.posture_text", joint, value);
-      drawing.nothing = say("figures.nothing");
-      drawing.arm = arm;
-      drawing.a_rad = radians_of(reading, "posture_deg");
-      drawing.b_rad = radians_of(reading, "posture_end_deg");
-      drawing.joint = static_cast<int>(reading.number("joint")) - 1;
-      drawing.joint_name = joint;
-      drawing.distance = value;
-      figures.items.push_back(figure_of(drawing));
-    } else {
-      ArmDrawing drawing;
-      drawing.id = id;
-      drawing.title = name;
-      drawing.text = say("symmetric.posture_single", joint, value);
-      drawing.nothing = say("figures.nothing");
-      drawing.scene.arm = arm;
-      drawing.scene.postures.push_back(
-          {name, radians_of(reading, "posture_deg"), std::nullopt, false});
-      figures.items.push_back(figure_of(drawing));
-      figures.items.back().live.clear();
-      figures.items.back().is_wide = false;
-    }
+    readings.push_back({reading, value});
   }
-  return figures;
+  return posture_figures(
+      arm_of(document, document.has("adjusted_arm") ? "adjusted_arm" : "nominal_arm"), readings,
+      say);
 }
 
 Section result_section(const DocumentView& document, const Language& say) {
