@@ -82,3 +82,16 @@ test("without 3-D graphics the drawing stays, and the reader is told", async () 
   assert.ok(await figure.locator(".drawing svg").isVisible());
   await context.close();
 });
+
+test("keys turn the view and bring it nearer", async () => {
+  const canvas = page.locator(".scene canvas").first();
+  const look = () => canvas.evaluate((element) => element.toDataURL());
+  const looks = [await look()];
+  await canvas.focus();
+  for (const key of ["ArrowRight", "ArrowUp", "+"]) {
+    await page.keyboard.press(key);
+    await painted(page);
+    looks.push(await look());
+  }
+  assert.equal(new Set(looks).size, looks.length);
+});
