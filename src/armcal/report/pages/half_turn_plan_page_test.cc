@@ -23,7 +23,7 @@ using testing::words_of;
 /// Two half turns of the paper's arm; figures as `armcal plan symmetric-point` gives them.
 Json document() {
   Json result;
-  result["arm"] = arm_text(testing::romer_arm());
+  result["arm"] = arm_text(testing::nominal_romer());
   result["rank"] = 21;
   result["condition_number"] = 8.44;
   result["length_error_mm"] = 0.00448;
