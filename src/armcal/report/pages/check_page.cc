@@ -73,7 +73,8 @@ Stamp stamp_of(const DocumentView& document, const Language& say) {
   const Verdict verdict = verdict_in(document);
   std::vector<std::string> sentences = {say(fmt::format("check.sentence.{}", to_string(verdict)))};
   if (broken > 0) sentences.push_back(unusual);
-  Stamp stamp = armcal::stamp_of(verdict, run_on(sentences, say), say);
+  Stamp stamp{say(fmt::format("check.stamp.{}", to_string(verdict))), run_on(sentences, say),
+              tone_of(verdict)};
   if (broken > 0 && verdict != Verdict::fail) stamp.tone = Tone::warning;
   return stamp;
 }

@@ -30,11 +30,23 @@ LimitedValue limited(const VerifiedValue& value, const Language& say) {
   return limited;
 }
 
+// Long titles ("single-point articulation, near zone, seat 1: 2 s") in the two lines of a bar: the
+// second one is free where there is no symbol.
+void set_title(const VerifiedRow& row, LimitBarRow& bar) {
+  bar.name = row.title;
+  bar.symbol = row.judged.symbol;
+  for (const std::string_view comma : {", ", "\uff0c"}) {
+    const std::size_t at = row.title.find(comma);
+    if (at == std::string::npos || !bar.symbol.empty()) continue;
+    bar.name = row.title.substr(0, at);
+    bar.symbol = row.title.substr(at + comma.size());
+  }
+}
+
 // @param has_both  an arm as left was verified too; a row that it gave nothing for is as found
 LimitBarRow bar_of(const VerifiedRow& row, bool has_middle, bool has_both, const Language& say) {
   LimitBarRow bar;
-  bar.name = row.title;
-  bar.symbol = row.judged.symbol;
+  set_title(row, bar);
   const VerifiedValue& judged = row.judged;
   if (judged.mpe_mm) {
     bar.limit = say("verification.limit_of_bar", mm_text(judged.mpe_mm));
