@@ -29,32 +29,33 @@ std::string path_of_report(const std::string& story) {
   return (folder / (story + ".html")).string();
 }
 
-void tell(const std::string& story, const Context& context) {
+// @param ending  below the text
+void tell(const std::string& story, const Context& context, const std::string& ending) {
   if (story == "virtual") {
     const VirtualDemo demo = run_virtual_demo();
-    context.emit(demo.inputs, {}, demo.json, demo.text, demo.seed);
+    context.emit(demo.inputs, {}, demo.json, demo.text + ending, demo.seed);
   } else {
     const PaperDemo demo = run_paper_demo();
-    context.emit(demo.inputs, {}, demo.json, demo.text);
+    context.emit(demo.inputs, {}, demo.json, demo.text + ending);
   }
 }
 
 int run_demo(const Flags& flags, const Context& context) {
   const std::string story = flags.story.value_or("paper");
-  if (context.report != nullptr) {
-    tell(story, context);
+  const bool is_placed = context.report != nullptr;
+  const std::string path = context.report_order.html.value_or(path_of_report(story));
+  if (is_placed) {
+    tell(story, context, "");
   } else {
     ReportOrder order = context.report_order;
-    order.html = path_of_report(story);
+    order.html = path;
     const ReportWriter report(order, Overwrite::allow, context.monitor);
     Context reporting = context;
     reporting.report = &report;
-    reporting.report_order = order;
-    tell(story, reporting);
+    reporting.quiet = !context.json;  // the text itself ends with the path
+    tell(story, reporting, fmt::format("\nReport: {}\n", path));
   }
-  if (flags.open) {
-    open_in_browser(context.report_order.html.value_or(path_of_report(story)));
-  }
+  if (flags.open) open_in_browser(path);
   return kDone;
 }
 
