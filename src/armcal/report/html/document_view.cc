@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -81,6 +82,15 @@ std::vector<double> DocumentView::as_numbers() const {
 
 std::string DocumentView::text(std::string_view key) const { return (*this)[key].as_text(); }
 double DocumentView::number(std::string_view key) const { return (*this)[key].as_number(); }
+
+int DocumentView::ordinal(std::string_view key, int count) const {
+  const DocumentView place = (*this)[key];
+  const double value = place.as_number();
+  if (!(value >= 1.0 && value <= count) || value != std::floor(value)) {
+    place.complain(fmt::format("is none of 1 to {}", count));
+  }
+  return static_cast<int>(value);
+}
 
 bool DocumentView::flag(std::string_view key) const { return (*this)[key].as_flag(); }
 

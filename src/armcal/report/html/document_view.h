@@ -28,6 +28,8 @@ class DocumentView {
   [[nodiscard]] std::string text(std::string_view key) const;
   [[nodiscard]] double number(std::string_view key) const;
   [[nodiscard]] bool flag(std::string_view key) const;
+  /// A place among `count` things that are counted from 1, as of a joint.
+  [[nodiscard]] int ordinal(std::string_view key, int count) const;
   /// Nothing where the key is missing or null; complains of another type.
   [[nodiscard]] std::optional<std::string> text_if(std::string_view key) const;
   [[nodiscard]] std::optional<double> number_if(std::string_view key) const;

@@ -45,6 +45,17 @@ TEST(DocumentView, ReadsValuesOfEachType) {
   EXPECT_EQ(view.list("tests")[1].number("value_mm"), 2.0);
 }
 
+// A joint of 1e300, in a document edited by hand, overflowed an int.
+TEST(DocumentView, CountsFromOneAndNamesWhatIsNoSuchThing) {
+  const DocumentView view = view_of(kDocument);
+  EXPECT_EQ(view.ordinal("count", 3), 3);
+  const Json edited = Json::parse(R"({"zero": 0, "half": 1.5, "huge": 1e300, "less": -1})");
+  for (const char* key : {"zero", "half", "huge", "less"}) {
+    EXPECT_THAT(complaint([&] { static_cast<void>(view_of(edited).ordinal(key, 6)); }),
+                StartsWith(std::string("saved.json: error: key ") + key + ": is none of 1 to 6"));
+  }
+}
+
 TEST(DocumentView, ReadsNullAmongNumbersAsNotANumber) {
   const std::vector<double> values = view_of(kDocument).numbers("values");
   ASSERT_EQ(values.size(), 3U);

@@ -28,7 +28,7 @@ Figure half_turn(const ArmModel& arm, const PostureReading& each, const std::str
   drawing.arm = arm;
   drawing.a_rad = radians_of(each.reading, "posture_deg");
   drawing.b_rad = radians_of(each.reading, "posture_end_deg");
-  drawing.joint = static_cast<int>(each.reading.number("joint")) - 1;
+  drawing.joint = each.reading.ordinal("joint", arm.joint_count()) - 1;
   drawing.distance = each.value;
   return figure_of(drawing);
 }
