@@ -23,14 +23,17 @@ using testing::repository;
 
 // Keys that sources put together: the part that is a literal of theirs, up to its slot.
 const std::vector<std::string> kComposed = {"tone.",
+                                            "calibration.kind_of.",
                                             "parameters.status_",
                                             "symmetric.kind_",
                                             "verification.verdict.",
                                             "verification.stamp.",
+                                            "verification.sentence.",
                                             "verification.rule.",
                                             "verification.budget.source.",
                                             "sphere_test.value.",
                                             "sphere_test.sentence.",
+                                            "check.stamp.",
                                             "check.sentence.",
                                             "check.value.",
                                             "check.rule.",
