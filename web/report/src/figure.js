@@ -2,15 +2,17 @@
 // SPDX-License-Identifier: Apache-2.0
 import { element } from "./element.js";
 
-// Gives each figure that has something to play with its live view, once it comes near the screen: a report of many
-// figures opens as fast as one of few. The drawing stays for paper.
+const whenIdle = window.requestIdleCallback ?? ((work) => setTimeout(work, 50)); // not in every Safari
+
+// Gives each figure that has something to play with its live view, once it comes near the screen and the page has
+// nothing else to do: a report of many figures opens as fast as one of none. The drawing stays for paper.
 export function enliven(makers) {
   const observer = new IntersectionObserver(
     (entries) => {
       for (const { target, isIntersecting } of entries) {
         if (!isIntersecting) continue;
         observer.unobserve(target);
-        make(target, makers);
+        whenIdle(() => make(target, makers), { timeout: 1000 });
       }
     },
     { rootMargin: "400px" },

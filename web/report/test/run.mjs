@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: the armcal authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// node run.mjs ARMCAL EXAMPLES: tests of reports in a real browser. Leaves with 77, and says why, where there is none.
+// node run.mjs ARMCAL EXAMPLES [TEST ..]: tests of reports in a real browser, all or those named ("pace").
+// Leaves with 77, and says why, where there is none.
 import { spawnSync } from "node:child_process";
 import { readdirSync } from "node:fs";
 import { createRequire } from "node:module";
@@ -25,10 +26,13 @@ try {
   skip("npm ci has not installed playwright-core");
 }
 
-const [armcal, examples] = process.argv.slice(2).map((path) => resolve(path));
+const [armcal, examples] = process.argv.slice(2, 4).map((path) => resolve(path));
+const wanted = process.argv.slice(4).map((name) => `${name}.test.mjs`);
 Object.assign(process.env, { ARMCAL: armcal, ARMCAL_EXAMPLES: examples, ARMCAL_REPORTS: temporaryFolder() });
 makeReports();
 const here = dirname(fileURLToPath(import.meta.url));
-const tests = readdirSync(here).filter((name) => name.endsWith(".test.mjs")).map((name) => join(here, name));
+const tests = readdirSync(here)
+  .filter((name) => (wanted.length > 0 ? wanted.includes(name) : name.endsWith(".test.mjs")))
+  .map((name) => join(here, name));
 const { status } = spawnSync(process.execPath, ["--test", "--test-concurrency=2", "--test-reporter=spec", ...tests], { stdio: "inherit" });
 process.exitCode = status ?? 1;
