@@ -16,7 +16,7 @@ namespace armcal {
 namespace {
 
 // As in `wanted_order`.
-constexpr double kNearlyParallel_rad = radians_from_degrees(10.0);
+constexpr double kAlongAxis_rad = radians_from_degrees(10.0);
 
 double angle_of(const Eigen::Vector3d& v) { return std::atan2(v.y(), v.x()); }
 

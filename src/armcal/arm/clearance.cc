@@ -15,27 +15,27 @@ namespace armcal {
 namespace {
 
 // A point as seen from the first axis.
-struct Place {
+struct Footpoint {
   double height_mm;           // along it, from the origin of the first joint
   Eigen::Vector3d across_mm;  // away from it
 };
 
 // Origins of the joints, then the tip.
-std::vector<Place> places(const TipLinearisation& at) {
+std::vector<Footpoint> places(const TipLinearisation& at) {
   const Eigen::Vector3d axis = at.joint_axes.col(0);
   const Eigen::Vector3d foot = at.joint_origins_mm.col(0);
-  const auto place_of = [&](const Eigen::Vector3d& point) -> Place {
+  const auto place_of = [&](const Eigen::Vector3d& point) -> Footpoint {
     const double height = axis.dot(point - foot);
     return {height, point - foot - height * axis};
   };
-  std::vector<Place> result;
+  std::vector<Footpoint> result;
   for (const auto& origin : at.joint_origins_mm.colwise()) result.push_back(place_of(origin));
   result.push_back(place_of(at.tip_mm));
   return result;
 }
 
 // Index of the first place that can run into something.
-std::size_t elbow(const std::vector<Place>& places) {
+std::size_t elbow(const std::vector<Footpoint>& places) {
   std::vector<double> way = {0.0, 0.0};  // from the second joint; the same in every posture
   for (std::size_t i = 2; i < places.size(); ++i) {
     const double rise = places[i].height_mm - places[i - 1].height_mm;
@@ -49,7 +49,7 @@ std::size_t elbow(const std::vector<Place>& places) {
 
 // Smallest distance from the first axis on the part of a link that is below `top_mm`; infinite
 // where no part is.
-double nearest_below(const Place& from, const Place& to, double top_mm) {
+double nearest_below(const Footpoint& from, const Footpoint& to, double top_mm) {
   const double above_from = from.height_mm - top_mm;
   const double above_to = to.height_mm - top_mm;
   if (above_from > 0.0 && above_to > 0.0) return HUGE_VAL;
@@ -67,7 +67,7 @@ std::optional<std::string> collision(const ForwardKinematics& kinematics,
                                      std::span<const double> encoder_rad,
                                      const Surroundings& surroundings) {
   if (!surroundings.bench_mm && surroundings.column_radius_mm <= 0.0) return std::nullopt;
-  const std::vector<Place> at = places(kinematics.linearise(encoder_rad));
+  const std::vector<Footpoint> at = places(kinematics.linearise(encoder_rad));
   const auto name = [&](std::size_t i) {
     return i + 1 < at.size() ? fmt::format("joint {}", i + 1) : std::string("the tip");
   };

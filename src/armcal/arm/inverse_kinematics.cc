@@ -15,7 +15,7 @@ namespace armcal {
 namespace {
 
 // A posture and how the tip moves there, for the joints that may move.
-struct Place {
+struct Posture {
   Eigen::VectorXd encoder_rad;
   Eigen::Vector3d missing_mm;
   Eigen::Matrix3Xd J_tip_joints;  // columns of joints that may not move are 0
@@ -41,15 +41,15 @@ class Search {
   /// A posture of its own for every number, all spread evenly.
   [[nodiscard]] Eigen::VectorXd elsewhere(const Eigen::VectorXd& encoder_rad, int number) const;
   /// The place nearest to the point that the way down from a posture passes.
-  [[nodiscard]] Place descended(const Eigen::VectorXd& encoder_rad);
-  [[nodiscard]] bool has_arrived(const Place& place) const {
+  [[nodiscard]] Posture descended(const Eigen::VectorXd& encoder_rad);
+  [[nodiscard]] bool has_arrived(const Posture& place) const {
     return place.miss_mm() <= options_.tolerance_mm;
   }
 
  private:
-  [[nodiscard]] Place at(const Eigen::VectorXd& encoder_rad);
+  [[nodiscard]] Posture at(const Eigen::VectorXd& encoder_rad);
   /// Where a step with this damping leads; all limits kept.
-  [[nodiscard]] Eigen::VectorXd stepped(const Place& place, double damping) const;
+  [[nodiscard]] Eigen::VectorXd stepped(const Posture& place, double damping) const;
   /// A posture beside one where no joint brings the tip nearer at once.
   [[nodiscard]] Eigen::VectorXd nudged(const Eigen::VectorXd& encoder_rad, int time) const;
   [[nodiscard]] double low(Eigen::Index i) const { return limits_.min_rad(i); }
@@ -107,17 +107,17 @@ Eigen::VectorXd Search::elsewhere(const Eigen::VectorXd& encoder_rad, int number
   return start(result);
 }
 
-Place Search::at(const Eigen::VectorXd& encoder_rad) {
+Posture Search::at(const Eigen::VectorXd& encoder_rad) {
   kinematics_.linearise(as_span(encoder_rad), workspace_);
-  Place place{encoder_rad, point_mm_ - workspace_.tip_mm,
-              Eigen::Matrix3Xd::Zero(3, encoder_rad.size())};
+  Posture place{encoder_rad, point_mm_ - workspace_.tip_mm,
+                Eigen::Matrix3Xd::Zero(3, encoder_rad.size())};
   for (const Eigen::Index i : joints_) place.J_tip_joints.col(i) = workspace_.J_tip_encoder.col(i);
   return place;
 }
 
 // theory/kinematics.md eq. (14); joints that would pass a limit go to it and no further, and the
 // others make up for what is missing then.
-Eigen::VectorXd Search::stepped(const Place& place, double damping) const {
+Eigen::VectorXd Search::stepped(const Posture& place, double damping) const {
   Eigen::Matrix3Xd jacobian = place.J_tip_joints;
   Eigen::Vector3d missing = place.missing_mm;
   Eigen::VectorXd held = Eigen::VectorXd::Zero(place.encoder_rad.size());  // steps up to limits
@@ -157,9 +157,9 @@ Eigen::VectorXd Search::nudged(const Eigen::VectorXd& encoder_rad, int time) con
 // Whether a way down still leads anywhere.
 class Progress {
  public:
-  explicit Progress(const Place& start) : miss_before_mm_(start.miss_mm()) {}
+  explicit Progress(const Posture& start) : miss_before_mm_(start.miss_mm()) {}
 
-  [[nodiscard]] bool has_ended(const Place& here, const Place& next) {
+  [[nodiscard]] bool has_ended(const Posture& here, const Posture& next) {
     constexpr double kNoSlope = 1e-6;  // rad from where nothing brings the tip nearer
     constexpr double kNoMotion_rad = 1e-12;
     // Also at the edge of reach, where the root is double, the miss halves with every step: one
@@ -179,16 +179,16 @@ class Progress {
   int steps_ = 0;
 };
 
-Place Search::descended(const Eigen::VectorXd& encoder_rad) {
+Posture Search::descended(const Eigen::VectorXd& encoder_rad) {
   constexpr int kNudges = 3;
   constexpr double kLeastDamping = 1e-3;
-  Place here = at(encoder_rad);
-  Place nearest = here;
+  Posture here = at(encoder_rad);
+  Posture nearest = here;
   Progress progress(here);
   double damping = 1.0;
   int nudges = 0;
   for (int i = 0; i < options_.max_iterations && !has_arrived(here); ++i) {
-    Place next = at(stepped(here, damping));
+    Posture next = at(stepped(here, damping));
     if (progress.has_ended(here, next)) {
       // Out of reach; or stretched straight at a point that asks to be folded: try beside.
       if (nudges == kNudges) break;
@@ -238,9 +238,9 @@ Eigen::VectorXd brought_inside(const Eigen::VectorXd& encoder_rad, const JointLi
 PostureSearch find_posture(const ForwardKinematics& kinematics, const Eigen::Vector3d& point_mm,
                            const Eigen::VectorXd& start_rad, const PostureSearchOptions& options) {
   Search search(kinematics, point_mm, options);
-  Place nearest = search.descended(search.start(start_rad));
+  Posture nearest = search.descended(search.start(start_rad));
   for (int i = 1; i <= options.restarts && !search.has_arrived(nearest); ++i) {
-    Place other = search.descended(search.elsewhere(start_rad, i));
+    Posture other = search.descended(search.elsewhere(start_rad, i));
     if (other.miss_mm() < nearest.miss_mm()) nearest = std::move(other);
   }
   return {search.has_arrived(nearest), nearest.encoder_rad, nearest.miss_mm()};

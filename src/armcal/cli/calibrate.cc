@@ -13,14 +13,14 @@
 namespace armcal::cli {
 namespace {
 
-struct Flags {
+struct CalibrateFlags {
   std::string session;
   std::optional<std::string> output;
   std::optional<std::string> save;
   bool allow_rank_deficient = false;
 };
 
-int run_calibrate(const Flags& flags, const Context& context) {
+int run_calibrate(const CalibrateFlags& flags, const Context& context) {
   for (const auto& path : {flags.output, flags.save}) {
     if (path) check_may_write(*path, context.overwrite);
   }
@@ -47,7 +47,7 @@ int run_calibrate(const Flags& flags, const Context& context) {
 }  // namespace
 
 Command calibrate_command() {
-  const auto flags = std::make_shared<Flags>();
+  const auto flags = std::make_shared<CalibrateFlags>();
   Command command;
   command.name = "calibrate";
   command.brief = "least-squares identification of an arm from any mixture of references";

@@ -14,7 +14,7 @@
 namespace armcal::cli {
 namespace {
 
-struct Flags {
+struct CheckFlags {
   CheckRequest request;
   std::optional<double> tip_diameter_mm, limit_mm, baseline;
   std::optional<std::string> note, time, export_csv;
@@ -37,7 +37,7 @@ UtcSeconds time_of(const std::optional<std::string>& typed) {
   return *time;
 }
 
-void require_sense(const Flags& flags) {
+void require_sense(const CheckFlags& flags) {
   const CheckRequest& request = flags.request;
   if (!request.readings && !request.history) {
     throw std::invalid_argument(
@@ -51,7 +51,7 @@ void require_sense(const Flags& flags) {
   }
 }
 
-CheckRequest request_of(const Flags& flags) {
+CheckRequest request_of(const CheckFlags& flags) {
   CheckRequest request = flags.request;
   request.options.tip_diameter_mm = flags.tip_diameter_mm.value_or(0.0);
   // The first number of a data sheet: of a sphere its diameter, of a seat the largest deviation.
@@ -64,7 +64,7 @@ CheckRequest request_of(const Flags& flags) {
   return request;
 }
 
-int run_check_command(const Flags& flags, const Context& context) {
+int run_check_command(const CheckFlags& flags, const Context& context) {
   require_sense(flags);
   const CheckRequest request = request_of(flags);
   if (flags.export_csv) {
@@ -80,7 +80,7 @@ int run_check_command(const Flags& flags, const Context& context) {
   return failed ? kDoesNotConform : kDone;
 }
 
-std::vector<Argument> arguments_of(Flags& flags) {
+std::vector<Argument> arguments_of(CheckFlags& flags) {
   InterimCheckOptions& options = flags.request.options;
   CheckLimits& limits = options.limits;
   const auto positive = NumberRange::positive;
@@ -118,7 +118,7 @@ std::vector<Argument> arguments_of(Flags& flags) {
 }  // namespace
 
 Command check_command() {
-  const auto flags = std::make_shared<Flags>();
+  const auto flags = std::make_shared<CheckFlags>();
   Command command;
   command.name = "check";
   command.brief = "five-minute check between calibrations, with a history and its trend";

@@ -25,13 +25,13 @@ using ::testing::Not;
 using testing::TemporaryFolder;
 using testing::tool;
 
-const std::string kArm = example("arms/seven-joint.arm.toml");
+const std::string kCheckedArm = example("arms/seven-joint.arm.toml");
 
 std::string week(int number) { return example(fmt::format("check/week-{:02}.csv", number)); }
 
 std::vector<std::string> check(const std::string& readings,
                                const std::vector<std::string>& more = {}) {
-  std::vector<std::string> line = {"check", readings, "--arm", kArm, "--length", "400"};
+  std::vector<std::string> line = {"check", readings, "--arm", kCheckedArm, "--length", "400"};
   line.insert(line.end(), more.begin(), more.end());
   return line;
 }
@@ -55,7 +55,7 @@ double value_of(const Json& json, const std::string& name) {
 // Points of a table by their name, as `fk` has them.
 TEST(CheckCommand, AgreesWithAComputationOfItsOwn) {
   const TemporaryFolder folder;
-  const Json tips = tool({"fk", kArm, week(9), "--json"}).json()["tips_mm"];
+  const Json tips = tool({"fk", kCheckedArm, week(9), "--json"}).json()["tips_mm"];
   ASSERT_EQ(tips.size(), 20u);
   std::string rows = "point,x_mm,y_mm,z_mm\n";
   double means[2][3] = {};
@@ -162,7 +162,8 @@ TEST(CheckCommand, WarnsOfAnotherArmAndOfAnotherArmFile) {
   EXPECT_THAT(stranger.err, HasSubstr("holds checks of seven-joint measuring arm so far, and none "
                                       "of \"4711\""));
   auto line = saved(3, history);
-  line[3] = folder.write("new.arm.toml", testing::read_bytes(kArm) + "\n# calibrated anew\n");
+  line[3] =
+      folder.write("new.arm.toml", testing::read_bytes(kCheckedArm) + "\n# calibrated anew\n");
   const auto calibrated = tool(line);
   EXPECT_EQ(calibrated.code, kDone) << calibrated.err;
   EXPECT_THAT(calibrated.err, HasSubstr("a new chart begins"));
@@ -177,7 +178,7 @@ TEST(CheckCommand, NamesWhatIsMissing) {
   const TemporaryFolder folder;
   EXPECT_THAT(tool({"check"}).err, HasSubstr("nothing to do"));
   EXPECT_THAT(tool({"check", week(1)}).err, HasSubstr("give the arm that turns them into tips"));
-  EXPECT_THAT(tool({"check", week(1), "--arm", kArm, "--length-limit", "0.1"}).err,
+  EXPECT_THAT(tool({"check", week(1), "--arm", kCheckedArm, "--length-limit", "0.1"}).err,
               HasSubstr("a limit of the length error needs the certified length"));
   EXPECT_THAT(tool(check(week(1), {"--time", "yesterday"})).err,
               HasSubstr("--time yesterday: is no time"));

@@ -17,7 +17,7 @@
 namespace armcal::cli {
 namespace {
 
-struct Flags {
+struct CompareFlags {
   std::optional<std::string> session;
   std::optional<std::string> scenario;
   std::vector<std::string> methods;
@@ -26,13 +26,14 @@ struct Flags {
   std::optional<std::string> markdown;
 };
 
-void emit(const Flags& flags, const Context& context, InputFiles& files, const auto& comparison) {
+void emit(const CompareFlags& flags, const Context& context, InputFiles& files,
+          const auto& comparison) {
   if (flags.markdown) context.save(*flags.markdown, markdown_result(comparison), files.records());
   context.emit(files.records(), files.diagnostics(), json_result(comparison),
                text_result(comparison), seed_or(flags.seed, 1));
 }
 
-int run_scenario(const Flags& flags, const Context& context) {
+int run_scenario(const CompareFlags& flags, const Context& context) {
   ComparisonOptions options;
   if (!flags.methods.empty()) options.methods = flags.methods;
   options.seed = seed_or(flags.seed, 1);
@@ -46,7 +47,7 @@ int run_scenario(const Flags& flags, const Context& context) {
   return kDone;
 }
 
-int run_session(const Flags& flags, const Context& context) {
+int run_session(const CompareFlags& flags, const Context& context) {
   if (flags.scenario || flags.repeats || flags.readings) {
     throw std::invalid_argument(
         "--scenario, --repeats and --readings are for drawn arms; a session has its own");
@@ -61,7 +62,7 @@ int run_session(const Flags& flags, const Context& context) {
   return kDone;
 }
 
-int run_paper_sphere(const Flags& flags, const Context& context) {
+int run_paper_sphere(const CompareFlags& flags, const Context& context) {
   if (flags.session || flags.scenario || flags.readings || !flags.methods.empty()) {
     throw std::invalid_argument("--paper-sphere has its own arm and method");
   }
@@ -75,7 +76,7 @@ int run_paper_sphere(const Flags& flags, const Context& context) {
   return kDone;
 }
 
-int run_compare(const Flags& flags, const Context& context) {
+int run_compare(const CompareFlags& flags, const Context& context) {
   if (flags.markdown) check_may_write(*flags.markdown, context.overwrite);
   if (flags.paper_sphere) return run_paper_sphere(flags, context);
   return flags.session ? run_session(flags, context) : run_scenario(flags, context);
@@ -84,7 +85,7 @@ int run_compare(const Flags& flags, const Context& context) {
 }  // namespace
 
 Command compare_command() {
-  const auto flags = std::make_shared<Flags>();
+  const auto flags = std::make_shared<CompareFlags>();
   Command command;
   command.name = "compare";
   command.brief = "every method on the same arm, one table";

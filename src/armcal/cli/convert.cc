@@ -12,7 +12,7 @@
 namespace armcal::cli {
 namespace {
 
-struct Flags {
+struct ConvertFlags {
   std::string input;
   std::optional<std::string> output;
   std::optional<std::string> from;
@@ -22,7 +22,7 @@ struct Flags {
   TableFlags table;
 };
 
-int run_convert(const Flags& flags, const Context& context) {
+int run_convert(const ConvertFlags& flags, const Context& context) {
   if (flags.output) check_may_write(*flags.output, context.overwrite);
   InputFiles files(context.monitor);
   ConversionRequest request;
@@ -53,7 +53,7 @@ int run_convert(const Flags& flags, const Context& context) {
 }  // namespace
 
 Command convert_command() {
-  const auto flags = std::make_shared<Flags>();
+  const auto flags = std::make_shared<ConvertFlags>();
   Command command;
   command.name = "convert";
   command.brief =

@@ -14,7 +14,7 @@
 namespace armcal::cli {
 namespace {
 
-struct Flags {
+struct DemoFlags {
   std::optional<std::string> story;
   bool open = false;
 };
@@ -40,7 +40,7 @@ void tell(const std::string& story, const Context& context, const std::string& e
   }
 }
 
-int run_demo(const Flags& flags, const Context& context) {
+int run_demo(const DemoFlags& flags, const Context& context) {
   const std::string story = flags.story.value_or("paper");
   const bool is_placed = context.report != nullptr;
   const std::string path = context.report_order.html.value_or(path_of_report(story));
@@ -62,7 +62,7 @@ int run_demo(const Flags& flags, const Context& context) {
 }  // namespace
 
 Command demo_command() {
-  const auto flags = std::make_shared<Flags>();
+  const auto flags = std::make_shared<DemoFlags>();
   Command command;
   command.name = "demo";
   command.brief = "figures in seconds, from examples built into the tool";

@@ -15,7 +15,7 @@
 namespace armcal::cli {
 namespace {
 
-struct Flags {
+struct DiffFlags {
   std::string before;
   std::string after;
 };
@@ -63,7 +63,7 @@ std::string text_of_changes(const std::vector<ParameterChange>& changes) {
   return "Change of every parameter, in units of its standard uncertainty\n" + table.text();
 }
 
-int run_diff(const Flags& flags, const Context& context) {
+int run_diff(const DiffFlags& flags, const Context& context) {
   InputFiles files(context.monitor);
   const auto changes = changes_between(files, flags.before, flags.after);
   context.emit(files.records(), files.diagnostics(), json_of_changes(changes),
@@ -74,7 +74,7 @@ int run_diff(const Flags& flags, const Context& context) {
 }  // namespace
 
 Command diff_command() {
-  const auto flags = std::make_shared<Flags>();
+  const auto flags = std::make_shared<DiffFlags>();
   Command command;
   command.name = "diff";
   command.brief = "change of every parameter between two saved calibrations";

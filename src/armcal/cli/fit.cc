@@ -13,7 +13,7 @@
 namespace armcal::cli {
 namespace {
 
-struct Flags {
+struct FitFlags {
   std::string element;
   std::string points;
   bool plane_first = false;
@@ -22,7 +22,7 @@ struct Flags {
 };
 
 template <typename Fit>
-int emit_fit(const Fit& fit, const Flags& flags, InputFiles& files, const Context& context) {
+int emit_fit(const Fit& fit, const FitFlags& flags, InputFiles& files, const Context& context) {
   if (!fit.ok()) {
     throw NumericalError(
         fmt::format("{}: no {} fits: {}", flags.points, flags.element, explain(fit.status)));
@@ -31,7 +31,8 @@ int emit_fit(const Fit& fit, const Flags& flags, InputFiles& files, const Contex
   return kDone;
 }
 
-CircleFit circle_of(const PointReadings& readings, const Flags& flags, const FitOptions& options) {
+CircleFit circle_of(const PointReadings& readings, const FitFlags& flags,
+                    const FitOptions& options) {
   if (readings.planar) {
     std::vector<Eigen::Vector2d> points;
     for (const Eigen::Vector3d& p : readings.points_mm) points.emplace_back(p.x(), p.y());
@@ -41,7 +42,7 @@ CircleFit circle_of(const PointReadings& readings, const Flags& flags, const Fit
   return fit_circle(readings.points_mm, {options, method});
 }
 
-int run_fit(const Flags& flags, const Context& context) {
+int run_fit(const FitFlags& flags, const Context& context) {
   if (flags.plane_first && flags.element != "circle") {
     throw std::invalid_argument(
         fmt::format("--plane-first is for circles: a {} has no plane of its own", flags.element));
@@ -62,7 +63,7 @@ int run_fit(const Flags& flags, const Context& context) {
 }  // namespace
 
 Command fit_command() {
-  const auto flags = std::make_shared<Flags>();
+  const auto flags = std::make_shared<FitFlags>();
   Command command;
   command.name = "fit";
   command.brief = "best-fit circle, sphere, plane or line through points";

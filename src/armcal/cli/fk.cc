@@ -10,7 +10,7 @@
 namespace armcal::cli {
 namespace {
 
-struct Flags {
+struct FkFlags {
   std::string arm;
   std::string angles;
   std::optional<std::string> output;
@@ -24,7 +24,7 @@ Json json_of_tips(const Eigen::Matrix3Xd& tips) {
   return json;
 }
 
-int run_fk(const Flags& flags, const Context& context) {
+int run_fk(const FkFlags& flags, const Context& context) {
   if (flags.output) check_may_write(*flags.output, context.overwrite);
   InputFiles files(context.monitor);
   const Eigen::Matrix3Xd tips = compute_tips(files, flags.arm, flags.angles, flags.table.options());
@@ -41,7 +41,7 @@ int run_fk(const Flags& flags, const Context& context) {
 }  // namespace
 
 Command fk_command() {
-  const auto flags = std::make_shared<Flags>();
+  const auto flags = std::make_shared<FkFlags>();
   Command command;
   command.name = "fk";
   command.brief = "tip coordinates for joint angles";

@@ -10,14 +10,14 @@
 namespace armcal::cli {
 namespace {
 
-struct Flags {
+struct PredictFlags {
   std::string calibration;
   std::string angles;
   std::optional<std::string> output;
   TableFlags table;
 };
 
-int run_predict(const Flags& flags, const Context& context) {
+int run_predict(const PredictFlags& flags, const Context& context) {
   if (flags.output) check_may_write(*flags.output, context.overwrite);
   InputFiles files(context.monitor);
   const PredictedTips predicted =
@@ -38,7 +38,7 @@ int run_predict(const Flags& flags, const Context& context) {
 }  // namespace
 
 Command predict_command() {
-  const auto flags = std::make_shared<Flags>();
+  const auto flags = std::make_shared<PredictFlags>();
   Command command;
   command.name = "predict";
   command.brief = "tip coordinates with standard uncertainties, from a saved calibration";

@@ -13,14 +13,14 @@
 namespace armcal::cli {
 namespace {
 
-struct Flags {
+struct ProbeFlags {
   ProbeRequest request;
   std::optional<double> u_mm, u_encoder_arcsec, tip_diameter_mm, limit_mm;
   std::optional<std::string> output;
   TableFlags table;
 };
 
-int run_probe_command(const Flags& flags, const Context& context) {
+int run_probe_command(const ProbeFlags& flags, const Context& context) {
   if (flags.output) check_may_write(*flags.output, context.overwrite);
   ProbeRequest request = flags.request;
   request.u_mm = flags.u_mm.value_or(request.u_mm);
@@ -37,7 +37,7 @@ int run_probe_command(const Flags& flags, const Context& context) {
 }  // namespace
 
 Command probe_command() {
-  const auto flags = std::make_shared<Flags>();
+  const auto flags = std::make_shared<ProbeFlags>();
   Command command;
   command.name = "probe";
   command.brief = "the tip of an arm alone, for a new stylus: from a cone or a sphere";

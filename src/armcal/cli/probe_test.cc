@@ -17,7 +17,7 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using testing::tool;
 
-const std::string kArm = example("arms/seven-joint.arm.toml");
+const std::string kProbedArm = example("arms/seven-joint.arm.toml");
 
 // The first rows of seat A of a check.
 std::string seat(const testing::TemporaryFolder& folder, int count) {
@@ -33,7 +33,7 @@ std::string seat(const testing::TemporaryFolder& folder, int count) {
 
 TEST(ProbeCommand, QualifiesAStylusWithAVerdict) {
   const testing::TemporaryFolder folder;
-  const auto result = tool({"probe", kArm, seat(folder, 10), "--u-encoder-arcsec", "3"});
+  const auto result = tool({"probe", kProbedArm, seat(folder, 10), "--u-encoder-arcsec", "3"});
   ASSERT_EQ(result.code, kDone) << result.err;
   EXPECT_THAT(result.out, HasSubstr("qualified to U = "));
   EXPECT_THAT(result.out, HasSubstr("no change beyond chance"));
@@ -43,10 +43,10 @@ TEST(ProbeCommand, QualifiesAStylusWithAVerdict) {
 TEST(ProbeCommand, EndsWith1WhereTheTipIsNotKnownWellEnough) {
   const testing::TemporaryFolder folder;
   const std::string readings = seat(folder, 10);
-  const auto wide = tool({"probe", kArm, readings, "--limit", "0.5", "--json"});
+  const auto wide = tool({"probe", kProbedArm, readings, "--limit", "0.5", "--json"});
   EXPECT_EQ(wide.code, kDone) << wide.err;
   EXPECT_EQ(wide.json()["verdict"], "pass");
-  const auto narrow = tool({"probe", kArm, readings, "--limit", "0.0001", "--json"});
+  const auto narrow = tool({"probe", kProbedArm, readings, "--limit", "0.0001", "--json"});
   EXPECT_EQ(narrow.code, kDoesNotConform);
   EXPECT_EQ(narrow.json()["verdict"], "fail");
   EXPECT_EQ(narrow.json()["tip"].size(), 3u);
@@ -56,10 +56,10 @@ TEST(ProbeCommand, EndsWith1WhereTheTipIsNotKnownWellEnough) {
 
 TEST(ProbeCommand, AsksForEnoughReadings) {
   const testing::TemporaryFolder folder;
-  const auto four = tool({"probe", kArm, seat(folder, 4)});
+  const auto four = tool({"probe", kProbedArm, seat(folder, 4)});
   EXPECT_EQ(four.code, kWrongInput);
   EXPECT_THAT(four.err, HasSubstr("4 readings in the seat: at least 5 are needed"));
-  const auto seven = tool({"probe", kArm, seat(folder, 7)});
+  const auto seven = tool({"probe", kProbedArm, seat(folder, 7)});
   EXPECT_EQ(seven.code, kDone) << seven.err;
   EXPECT_THAT(seven.err, HasSubstr("7 readings in the seat: 10 are advised"));
 }
@@ -77,7 +77,7 @@ TEST(ProbeCommand, NamesWhatAStillWristLeavesOpen) {
   const testing::TemporaryFolder folder;
   std::string rows = "q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg,q7_deg\n";
   for (int i = 0; i < 10; ++i) rows += "10,20,30,40,50,60," + std::to_string(0.001 * i) + "\n";
-  const auto result = tool({"probe", kArm, folder.write("still.csv", rows)});
+  const auto result = tool({"probe", kProbedArm, folder.write("still.csv", rows)});
   EXPECT_EQ(result.code, kNumericalFailure);
   EXPECT_THAT(result.err, HasSubstr("the readings do not determine a8, b8, d8: the direction of a8 "
                                     "swings by no more than 0.0 deg"));

@@ -13,7 +13,7 @@
 namespace armcal::cli {
 namespace {
 
-struct Flags {
+struct RegisterFlags {
   std::string first;
   std::string second;
   bool scale = false;
@@ -23,7 +23,7 @@ struct Flags {
 
 constexpr const char* kMirrored = "the points look mirrored: is one axis reversed in one file?";
 
-int run_register(const Flags& flags, const Context& context) {
+int run_register(const RegisterFlags& flags, const Context& context) {
   InputFiles files(context.monitor);
   const PointPairs pairs =
       read_point_pairs(files, flags.first, flags.second, flags.table.options());
@@ -47,7 +47,7 @@ int run_register(const Flags& flags, const Context& context) {
 }  // namespace
 
 Command register_command() {
-  const auto flags = std::make_shared<Flags>();
+  const auto flags = std::make_shared<RegisterFlags>();
   Command command;
   command.name = "register";
   command.brief = "rigid transform between paired points";

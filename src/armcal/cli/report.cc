@@ -13,13 +13,13 @@
 namespace armcal::cli {
 namespace {
 
-struct Flags {
+struct ReportFlags {
   std::string result;
   std::optional<std::string> output;
   bool extract = false;
 };
 
-int extract(const Flags& flags, const Context& context, const std::string& document,
+int extract(const ReportFlags& flags, const Context& context, const std::string& document,
             const InputFiles& files) {
   if (context.report_order.pdf) {
     throw std::invalid_argument("--extract gives the numbers back and prints no PDF");
@@ -32,7 +32,7 @@ int extract(const Flags& flags, const Context& context, const std::string& docum
   return kDone;
 }
 
-int run_report(const Flags& flags, const Context& context) {
+int run_report(const ReportFlags& flags, const Context& context) {
   if (context.report_order.html) {
     throw std::invalid_argument("report writes to the file that -o names, not --report");
   }
@@ -63,7 +63,7 @@ int run_report(const Flags& flags, const Context& context) {
 }  // namespace
 
 Command report_command() {
-  const auto flags = std::make_shared<Flags>();
+  const auto flags = std::make_shared<ReportFlags>();
   Command command;
   command.name = "report";
   command.brief = "a saved result as a report of one HTML file, or on paper";

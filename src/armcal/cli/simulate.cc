@@ -13,7 +13,7 @@
 namespace armcal::cli {
 namespace {
 
-struct Flags {
+struct SimulateFlags {
   std::optional<std::string> file;
   std::optional<std::string> scenario;
   std::optional<std::string> folder;
@@ -33,7 +33,7 @@ int list_scenarios(const Context& context) {
   return kDone;
 }
 
-int run_simulate(const Flags& flags, const Context& context) {
+int run_simulate(const SimulateFlags& flags, const Context& context) {
   if (flags.list) return list_scenarios(context);
   if (flags.file.has_value() == flags.scenario.has_value()) {
     throw std::invalid_argument(
@@ -63,7 +63,7 @@ int run_simulate(const Flags& flags, const Context& context) {
 }  // namespace
 
 Command simulate_command() {
-  const auto flags = std::make_shared<Flags>();
+  const auto flags = std::make_shared<SimulateFlags>();
   Command command;
   command.name = "simulate";
   command.brief = "a virtual arm with known errors, and readings of it with any instrument";

@@ -14,14 +14,14 @@
 namespace armcal::cli {
 namespace {
 
-struct Flags {
+struct SymmetricPointFlags {
   std::string readings;
   std::optional<std::string> compare;
   std::optional<std::string> output;
   TableFlags table;
 };
 
-int run_symmetric_point_command(const Flags& flags, const Context& context) {
+int run_symmetric_point_command(const SymmetricPointFlags& flags, const Context& context) {
   if (flags.output) check_may_write(*flags.output, context.overwrite);
   InputFiles files(context.monitor);
   const auto analysis =
@@ -38,7 +38,7 @@ int run_symmetric_point_command(const Flags& flags, const Context& context) {
 }  // namespace
 
 Command symmetric_point_command() {
-  const auto flags = std::make_shared<Flags>();
+  const auto flags = std::make_shared<SymmetricPointFlags>();
   Command command;
   command.name = "symmetric-point";
   command.brief = "calibrate an arm from half turns: chain, adjustment, consistency, leakage";

@@ -16,7 +16,7 @@ namespace {
 
 using testing::SyntheticReadings;
 
-struct Bench {
+struct SeatsAndLength {
   ArmModel nominal = testing::consistent_romer();
   std::vector<ObservationGroup> groups;
 };
@@ -26,9 +26,9 @@ SyntheticReadings readings(std::uint64_t seed) {
   return {testing::perturbed(testing::consistent_romer(), random, 0.1, 2e-4), seed, 0.005};
 }
 
-Bench seats_and_length(std::uint64_t seed) {
+SeatsAndLength seats_and_length(std::uint64_t seed) {
   SyntheticReadings arm = readings(seed);
-  Bench bench;
+  SeatsAndLength bench;
   bench.groups.push_back(arm.fixed_points({"A", "B", "C"}, 20));
   // Rows of one seat need not weigh the same.
   bench.groups[0].u_mm.tail(7).setConstant(0.02);
@@ -41,7 +41,7 @@ struct AtOptimum {
   Calibration calibration;
   double objective = 0.0;
 };
-AtOptimum at_optimum(const Bench& bench) {
+AtOptimum at_optimum(const SeatsAndLength& bench) {
   AtOptimum result{calibrate(bench.nominal, bench.groups, {}), 0.0};
   const ArmObjective objective(bench.nominal, bench.groups, result.calibration.free);
   const Eigen::VectorXd values = parameter_values(result.calibration.arm);
@@ -61,7 +61,7 @@ TEST(ArmObjective, IsTheChiSquaredOfACalibrationByFixedPointsAndALength) {
 
 TEST(ArmObjective, IsTheChiSquaredWhereLengthsShareSeats) {
   SyntheticReadings arm = readings(2);
-  Bench bench;
+  SeatsAndLength bench;
   bench.groups.push_back(arm.fixed_points({"A", "B", "C"}, 20));
   bench.groups.push_back(arm.length("A", "B"));
   bench.groups.push_back(arm.length("B", "C"));
@@ -72,7 +72,7 @@ TEST(ArmObjective, IsTheChiSquaredWhereLengthsShareSeats) {
 
 TEST(ArmObjective, IsTheChiSquaredOfEveryKindOfReference) {
   SyntheticReadings arm = readings(3);
-  Bench bench;
+  SeatsAndLength bench;
   bench.groups.push_back(arm.reference_points(40, "A"));
   bench.groups.push_back(arm.fixed_points({"P"}, 20));
   bench.groups.push_back(arm.artefact(4, 6, "plate"));
@@ -86,7 +86,7 @@ TEST(ArmObjective, IsTheChiSquaredOfEveryKindOfReference) {
 }
 
 TEST(ArmObjective, IsTheSameInClosedFormAndByAFit) {
-  Bench bench = seats_and_length(4);
+  SeatsAndLength bench = seats_and_length(4);
   const ParameterTable table(bench.nominal);
   std::vector<int> all;
   for (int i = 0; i < table.size(); ++i) all.push_back(i);
@@ -103,7 +103,7 @@ TEST(ArmObjective, IsTheSameInClosedFormAndByAFit) {
 }
 
 TEST(ArmObjective, IsLeastAtTheOptimumOfLeastSquares) {
-  const Bench bench = seats_and_length(6);
+  const SeatsAndLength bench = seats_and_length(6);
   const Calibration best = calibrate(bench.nominal, bench.groups, {});
   ASSERT_TRUE(best.ok());
   const ArmObjective objective(bench.nominal, bench.groups, best.free);
@@ -118,7 +118,7 @@ TEST(ArmObjective, IsLeastAtTheOptimumOfLeastSquares) {
 }
 
 TEST(ArmObjective, DoesNotCountRowsThatAreHeldOut) {
-  Bench bench = seats_and_length(8);
+  SeatsAndLength bench = seats_and_length(8);
   bench.groups[0].is_check[3] = true;
   const double without = at_optimum(bench).objective;
   bench.groups[0].encoder_rad.col(3).setConstant(1.0);

@@ -26,6 +26,12 @@ namespace armcal {
 [[nodiscard]] constexpr double metres_from_millimetres(double millimetres) {
   return millimetres / 1000.0;
 }
+[[nodiscard]] constexpr double millimetres_from_micrometres(double micrometres) {
+  return micrometres * 1e-3;
+}
+[[nodiscard]] constexpr double micrometres_from_millimetres(double millimetres) {
+  return millimetres * 1000.0;
+}
 [[nodiscard]] constexpr double millimetres_from_inches(double inches) { return inches * 25.4; }
 
 }  // namespace armcal

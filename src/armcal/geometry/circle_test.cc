@@ -39,12 +39,6 @@ std::vector<Eigen::Vector3d> arc(const Eigen::Vector3d& center, double radius,
   return points;
 }
 
-double rounding(const std::vector<Eigen::Vector3d>& points) {
-  double largest = 0.0;
-  for (const auto& p : points) largest = std::max(largest, p.lpNorm<Eigen::Infinity>());
-  return std::numeric_limits<double>::epsilon() * largest;
-}
-
 // Published planar circles: Gander, Golub, Strebel 1994; SciPy Cookbook. Answers refined to more
 // digits than printed; that of scipy_cookbook_full is ours to 1e-13 (the gradient vanishes there to
 // 1e-15 in extended precision; the reference data differ by 6e-12 in y, where it is 2e-11).
@@ -170,7 +164,7 @@ TEST(CircleFit, ReachesWhatTheDataAllow) {
           const Eigen::Vector3d center = distance * random_direction(random);
           const Eigen::Vector3d normal = random_direction(random);
           const auto points = arc(center, radius, normal, sweep_deg * pi / 180, count, random);
-          const double u = rounding(points);
+          const double u = testing::rounding_of(points);
           for (const CircleMethod method : {CircleMethod::orthogonal, CircleMethod::plane_first}) {
             const CircleFit fit = fit_circle(points, {{u}, method});
             const auto where = [&] {

@@ -14,10 +14,7 @@ namespace armcal {
 namespace {
 
 using std::numbers::pi;
-
-Eigen::Vector3d random_direction(RandomStream& random) {
-  return Eigen::Vector3d(random.normal(), random.normal(), random.normal()).normalized();
-}
+using testing::random_direction;
 
 TEST(RigidTransform, NamesCancel) {
   RandomStream random(1);

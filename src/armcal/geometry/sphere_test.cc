@@ -43,12 +43,6 @@ std::vector<Eigen::Vector3d> cap(const Eigen::Vector3d& center, double radius,
   return points;
 }
 
-double rounding(const std::vector<Eigen::Vector3d>& points) {
-  double largest = 0.0;
-  for (const auto& p : points) largest = std::max(largest, p.lpNorm<Eigen::Infinity>());
-  return std::numeric_limits<double>::epsilon() * largest;
-}
-
 TEST(SphereFit, AgreesWithNist) {
   ARMCAL_NEEDS_REFERENCE_DATA();
   const auto pairs = testing::nist_pairs("Sphere");
@@ -74,7 +68,7 @@ TEST(SphereFit, ReachesWhatTheDataAllow) {
           const Eigen::Vector3d center = distance * random_direction(random);
           const auto points = cap(center, radius, random_direction(random),
                                   half_angle_deg * std::numbers::pi / 180.0, count, random);
-          const double u = rounding(points);
+          const double u = testing::rounding_of(points);
           const SphereFit fit = fit_sphere(points, {.u_point_mm = u});
           if (fit.status == FitStatus::points_are_coplanar ||
               fit.status == FitStatus::radius_unbounded) {

@@ -31,7 +31,7 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 using testing::SecondKinematics;
 
-constexpr double kNoise_mm = 0.01;
+constexpr double kReadingNoise_mm = 0.01;
 
 // --- simulated readings ------------------------------------------------------------------------
 
@@ -64,7 +64,7 @@ ObservationGroup group_of(std::string name, ReferenceKind kind, const MatrixXd& 
   group.kind = kind;
   const Index count = encoder_rad.cols();
   group.encoder_rad = encoder_rad;
-  group.u_mm = VectorXd::Constant(count, kNoise_mm);
+  group.u_mm = VectorXd::Constant(count, kReadingNoise_mm);
   group.is_check.assign(static_cast<std::size_t>(count), false);
   for (int i = 0; i < static_cast<int>(count); ++i) group.lines.push_back(i + 2);
   return group;
@@ -84,7 +84,7 @@ ObservationGroup reference_points(const std::string& setup, int count, const Arm
   group.reference_mm.resize(3, count);
   for (Index i = 0; i < count; ++i) {
     group.reference_mm.col(i) = frame * arm.tip_in_base(posture(group.encoder_rad, i)) +
-                                testing::random_normal_vector(random, kNoise_mm);
+                                testing::random_normal_vector(random, kReadingNoise_mm);
   }
   return group;
 }
@@ -96,7 +96,7 @@ ObservationGroup fixed_point(const std::string& name, const Vector3d& seat_mm, i
   const int n = truth.joint_count();
   MatrixXd postures(n, count);
   for (Index i = 0; i < count;) {
-    const Vector3d tip = seat_mm + testing::random_normal_vector(random, kNoise_mm);
+    const Vector3d tip = seat_mm + testing::random_normal_vector(random, kReadingNoise_mm);
     const std::vector<double> start = testing::random_posture(n, random);
     const PostureSearch search = find_posture(arm, tip, Eigen::Map<const VectorXd>(start.data(), n),
                                               {.tolerance_mm = 1e-10});

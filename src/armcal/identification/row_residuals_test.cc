@@ -37,18 +37,18 @@ const RowResidual& row_of(const Calibration& calibration, int group, int row) {
   return calibration.residuals.front();
 }
 
-struct KindCase {
+struct RowKindCase {
   const char* name;
   ObservationGroup (*make)(SyntheticReadings&);
 };
 
-const KindCase kPlacesInSpace[] = {
+const RowKindCase kPlacesInSpace[] = {
     {"reference_points", [](SyntheticReadings& s) { return s.reference_points(20, "B"); }},
     {"reference_poses", [](SyntheticReadings& s) { return s.reference_poses(20, "C"); }},
     {"fixed_point", [](SyntheticReadings& s) { return s.fixed_points({"P"}, 10); }},
     {"artefact", [](SyntheticReadings& s) { return s.artefact(5, 3, "flat"); }},
 };
-const KindCase kDistances[] = {
+const RowKindCase kDistances[] = {
     {"reversal", [](SyntheticReadings& s) { return s.reversals(20); }},
     {"circle_radius", [](SyntheticReadings& s) { return s.circle_radii(20); }},
     {"sphere", [](SyntheticReadings& s) { return s.sphere(20, 40.0, true); }},
@@ -57,7 +57,7 @@ const KindCase kDistances[] = {
 
 // Noiseless readings of a kind beside reference points that tell the arm; one row is held out, and
 // its encoders are set so that the calibrated arm has the point off by a known displacement.
-class OneRowOff : public ::testing::TestWithParam<KindCase> {
+class OneRowOff : public ::testing::TestWithParam<RowKindCase> {
  protected:
   static constexpr int kGroup = 1;
   static constexpr int kRow = 3;

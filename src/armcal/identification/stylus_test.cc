@@ -18,7 +18,7 @@
 namespace armcal {
 namespace {
 
-constexpr double kNoise_mm = 0.01;
+constexpr double kTouchNoise_mm = 0.01;
 
 // The tip of an arm in one seat, in postures that joints take freely.
 ObservationGroup in_a_seat(const ArmModel& arm, int count, std::vector<int> free_joints,
@@ -34,7 +34,7 @@ ObservationGroup in_a_seat(const ArmModel& arm, int count, std::vector<int> free
   while (group.count() < count) {
     Eigen::VectorXd near = start;
     for (const int joint : free_joints) near(joint - 1) += random.uniform(-1.5, 1.5);
-    const Eigen::Vector3d target = seat_mm + kNoise_mm * testing::random_normal_vector(random);
+    const Eigen::Vector3d target = seat_mm + kTouchNoise_mm * testing::random_normal_vector(random);
     const PostureSearch search = find_posture(kinematics, target, near, {.joints = {1, 2, 4}});
     if (!search.found) continue;
     group.encoder_rad.conservativeResize(6, group.encoder_rad.cols() + 1);
@@ -43,7 +43,7 @@ ObservationGroup in_a_seat(const ArmModel& arm, int count, std::vector<int> free
   }
   group.is_check.assign(group.lines.size(), false);
   group.place.assign(group.lines.size(), "seat");
-  group.u_mm = Eigen::VectorXd::Constant(count, kNoise_mm);
+  group.u_mm = Eigen::VectorXd::Constant(count, kTouchNoise_mm);
   return group;
 }
 

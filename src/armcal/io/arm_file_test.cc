@@ -17,25 +17,25 @@ namespace {
 
 using ::testing::HasSubstr;
 
-TextFile file(std::string text) { return {"x.arm.toml", std::move(text), "UTF-8", ""}; }
+TextFile arm_file(std::string text) { return {"x.arm.toml", std::move(text), "UTF-8", ""}; }
 
-ArmModel read(const std::string& text) {
+ArmModel read_arm(const std::string& text) {
   Diagnostics diagnostics;
-  const auto arm = read_arm(file(text), diagnostics);
+  const auto arm = read_arm(arm_file(text), diagnostics);
   EXPECT_TRUE(arm.has_value()) << diagnostics.to_text();
   return arm.value_or(ArmModel{});
 }
 
-std::string complaint(const std::string& text) {
+std::string complaint_about_arm(const std::string& text) {
   Diagnostics diagnostics;
-  EXPECT_FALSE(read_arm(file(text), diagnostics).has_value());
+  EXPECT_FALSE(read_arm(arm_file(text), diagnostics).has_value());
   return diagnostics.to_text();
 }
 
-constexpr const char* kHead = "schema = \"armcal.arm/1\"\n";
+constexpr const char* kArmHead = "schema = \"armcal.arm/1\"\n";
 
 TEST(ArmFile, ReadsTheExampleOfTheContract) {
-  const ArmModel arm = read(R"(schema = "armcal.arm/1"
+  const ArmModel arm = read_arm(R"(schema = "armcal.arm/1"
 name = "two joints"
 [[link]]
 d_mm = 0.0
@@ -74,7 +74,7 @@ TEST(ArmFile, WrittenAndReadAgainIsTheSameArm) {
     arm.name = "say \"arm\" \\ \n \xE5\x85\xB3\xE8\x8A\x82";
     arm.note = "note";
     arm.joints[0].min_rad = -3.0;
-    const ArmModel once = read(arm_text(arm));
+    const ArmModel once = read_arm(arm_text(arm));
     // Lengths to the last bit, angles to one unit in the last place ..
     const Eigen::VectorXd before = parameter_values(arm);
     const Eigen::VectorXd after = parameter_values(once);
@@ -90,7 +90,7 @@ TEST(ArmFile, WrittenAndReadAgainIsTheSameArm) {
     EXPECT_NEAR((once.base_from_first_joint.rotation - arm.base_from_first_joint.rotation).norm(),
                 0, 3e-15);
     // .. and from then on nothing changes any more.
-    const ArmModel twice = read(arm_text(once));
+    const ArmModel twice = read_arm(arm_text(once));
     EXPECT_EQ(parameter_values(twice), parameter_values(once));
     EXPECT_EQ(twice.joints[0].min_rad, once.joints[0].min_rad);
   }
@@ -98,15 +98,15 @@ TEST(ArmFile, WrittenAndReadAgainIsTheSameArm) {
 
 TEST(ArmFile, AnglesTypedInDegreesSurviveExactly) {
   const std::string text =
-      std::string(kHead) +
+      std::string(kArmHead) +
       "name = \"g\"\n\n[[link]]\nd_mm = 376.5\nb_mm = 0.0\na_mm = -0.0226\nalpha_deg = -89.9683\n"
       "\n[tip]\na_mm = 0.0\nb_mm = 97.811\nd_mm = 15.0695\n"
       "\n[[joint]]\nzero_deg = 0.0\n\n[[joint]]\nzero_deg = -0.006\n";
-  EXPECT_EQ(arm_text(read(text)), text);
+  EXPECT_EQ(arm_text(read_arm(text)), text);
 }
 
 TEST(ArmFile, NamesEveryProblemWithItsPlace) {
-  const std::string text = complaint(
+  const std::string text = complaint_about_arm(
       "schema = \"armcal.arm/1\"\n[[link]]\nd_mm = \"1\"\nalfa_deg = 90\n[tip]\nb_mm = "
       "nan\n[base]\nposition_mm = [1, 2]\n");
   EXPECT_THAT(text, HasSubstr("x.arm.toml:3:1: error: d_mm must be a number, not a text"));
@@ -130,31 +130,33 @@ TEST(ArmFile, WarnsOfTwistsThatLookLikeRadians) {
 }
 
 TEST(ArmFile, RefusesZeroAndElevenJoints) {
-  EXPECT_THAT(complaint(kHead),
+  EXPECT_THAT(complaint_about_arm(kArmHead),
               HasSubstr("x.arm.toml: error: describes 1 joint: an arm here has 2 to 10"));
-  std::string eleven = kHead;
+  std::string eleven = kArmHead;
   for (int i = 0; i < 10; ++i) eleven += "[[link]]\nb_mm = 100\n";
-  EXPECT_THAT(complaint(eleven), HasSubstr("describes 11 joints: an arm here has 2 to 10"));
+  EXPECT_THAT(complaint_about_arm(eleven),
+              HasSubstr("describes 11 joints: an arm here has 2 to 10"));
 }
 
 TEST(ArmFile, RefusesJointsThatDoNotMatchTheLinks) {
-  EXPECT_THAT(complaint(std::string(kHead) + "[[link]]\nb_mm = 1\n[[joint]]\nzero_deg = 0\n"),
-              HasSubstr("x.arm.toml:4:1: error: 1 [[joint]] tables for 2 joints"));
   EXPECT_THAT(
-      complaint(std::string(kHead) +
-                "[[link]]\n[[joint]]\ndirection = 2\n[[joint]]\nmin_deg = 5\nmax_deg = 5\n"),
-      HasSubstr("direction is 2: must be 1 or -1"));
+      complaint_about_arm(std::string(kArmHead) + "[[link]]\nb_mm = 1\n[[joint]]\nzero_deg = 0\n"),
+      HasSubstr("x.arm.toml:4:1: error: 1 [[joint]] tables for 2 joints"));
+  EXPECT_THAT(complaint_about_arm(
+                  std::string(kArmHead) +
+                  "[[link]]\n[[joint]]\ndirection = 2\n[[joint]]\nmin_deg = 5\nmax_deg = 5\n"),
+              HasSubstr("direction is 2: must be 1 or -1"));
 }
 
 TEST(ArmFile, RefusesAnotherKindOfFile) {
-  EXPECT_THAT(complaint("schema = \"armcal.session/1\"\n[[link]]\n"),
+  EXPECT_THAT(complaint_about_arm("schema = \"armcal.session/1\"\n[[link]]\n"),
               HasSubstr("is not \"armcal.arm/1\""));
-  EXPECT_THAT(complaint("x_mm,y_mm\n1,2\n"), HasSubstr("is not TOML"));
+  EXPECT_THAT(complaint_about_arm("x_mm,y_mm\n1,2\n"), HasSubstr("is not TOML"));
 }
 
 RC_GTEST_PROP(ArmFile, SurvivesAnyBytes, (const std::string& text)) {
   Diagnostics diagnostics;
-  const bool read = read_arm(file(kHead + text), diagnostics).has_value();
+  const bool read = read_arm(arm_file(kArmHead + text), diagnostics).has_value();
   RC_ASSERT(read != diagnostics.has_errors());
 }
 

@@ -136,14 +136,14 @@ void use_write_ahead_log(SqliteDatabase& database) {
 }
 
 // Is there nothing in it yet? So a file is left by who was killed while making it.
-bool is_blank(SqliteDatabase& database) {
+bool is_new(SqliteDatabase& database) {
   return database.integer("SELECT count(*) FROM sqlite_schema") == 0 &&
          database.integer("PRAGMA user_version") == 0;
 }
 
 void create_tables(SqliteDatabase& database) {
   SqliteTransaction transaction(database);
-  if (!is_blank(database)) return;  // another program was first
+  if (!is_new(database)) return;  // another program was first
   database.execute(kTables);
   database.execute(fmt::format("PRAGMA application_id = {}", kApplicationId));
   database.execute(fmt::format("PRAGMA user_version = {}", kSchemaVersion));
@@ -212,7 +212,7 @@ CheckHistory::CheckHistory(std::string path, Missing missing) : path_(std::move(
     // power goes.
     database_->execute("PRAGMA synchronous = FULL");
     database_->execute("PRAGMA foreign_keys = ON");
-    if (is_blank(*database_)) {
+    if (is_new(*database_)) {
       if (missing == Missing::refuse) refuse(path_, "holds no check yet", "");
       use_write_ahead_log(*database_);
       create_tables(*database_);

@@ -14,18 +14,18 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-TextFile file(std::string text) { return {"readings.csv", std::move(text), "UTF-8", ""}; }
+TextFile csv_file(std::string text) { return {"readings.csv", std::move(text), "UTF-8", ""}; }
 
 CsvTable parsed(const std::string& text, const ColumnMap& map = {}) {
   Diagnostics diagnostics;
-  auto table = CsvTable::parse(file(text), map, diagnostics);
+  auto table = CsvTable::parse(csv_file(text), map, diagnostics);
   EXPECT_TRUE(table.has_value()) << text << "\n" << diagnostics.to_text();
   return table.value_or(CsvTable{});
 }
 
-std::string complaint(const std::string& text, const ColumnMap& map = {}) {
+std::string complaint_about_table(const std::string& text, const ColumnMap& map = {}) {
   Diagnostics diagnostics;
-  EXPECT_FALSE(CsvTable::parse(file(text), map, diagnostics).has_value());
+  EXPECT_FALSE(CsvTable::parse(csv_file(text), map, diagnostics).has_value());
   return diagnostics.to_text();
 }
 
@@ -87,8 +87,8 @@ TEST(CsvTable, MapsForeignNamesAndNumbers) {
 
 TEST(CsvTable, NamesLineAndColumnOfABadNumber) {
   Diagnostics diagnostics;
-  const auto table =
-      CsvTable::parse(file("q1_deg,q4_deg\n# note\n1,2\n3,12.3.4\n5,\n7,NaN\n"), {}, diagnostics);
+  const auto table = CsvTable::parse(csv_file("q1_deg,q4_deg\n# note\n1,2\n3,12.3.4\n5,\n7,NaN\n"),
+                                     {}, diagnostics);
   const auto values = table->numbers(1, "joint 4 angle", diagnostics);
   EXPECT_EQ(values[0], 2.0);
   EXPECT_TRUE(std::isnan(values[1]));
@@ -101,25 +101,27 @@ TEST(CsvTable, NamesLineAndColumnOfABadNumber) {
 }
 
 TEST(CsvTable, SaysWhatIsWrongWithTheTable) {
-  EXPECT_THAT(complaint("# nothing\n\n"), HasSubstr("readings.csv: error: has no rows"));
-  EXPECT_THAT(complaint("x_mm,y_mm\n"), HasSubstr("has a header but no rows below it"));
-  EXPECT_THAT(complaint("x_mm,y_mm\n1,2\n3\n4,5\n"),
+  EXPECT_THAT(complaint_about_table("# nothing\n\n"),
+              HasSubstr("readings.csv: error: has no rows"));
+  EXPECT_THAT(complaint_about_table("x_mm,y_mm\n"), HasSubstr("has a header but no rows below it"));
+  EXPECT_THAT(complaint_about_table("x_mm,y_mm\n1,2\n3\n4,5\n"),
               HasSubstr("readings.csv:3: error: has 1 field, the first row has 2"));
-  EXPECT_THAT(complaint("x_mm,y_mm\n1,2\n3"), HasSubstr("help: is the file cut off at its end?"));
-  EXPECT_THAT(complaint("x_mm,y_mm\n\"1,2\n"),
+  EXPECT_THAT(complaint_about_table("x_mm,y_mm\n1,2\n3"),
+              HasSubstr("help: is the file cut off at its end?"));
+  EXPECT_THAT(complaint_about_table("x_mm,y_mm\n\"1,2\n"),
               HasSubstr("readings.csv:2:1: error: quotation mark is never closed"));
-  EXPECT_THAT(complaint("x_mm,X [mm]\n1,2\n"),
+  EXPECT_THAT(complaint_about_table("x_mm,X [mm]\n1,2\n"),
               HasSubstr("column x_mm (number 1) and column X [mm] (number 2) are both \"x\""));
-  EXPECT_THAT(complaint("x_mm,y\nm,m\n1,2\n"),
+  EXPECT_THAT(complaint_about_table("x_mm,y\nm,m\n1,2\n"),
               HasSubstr("the row of units says m but the header says x_mm"));
-  EXPECT_THAT(complaint("shoulder,elbow\n1,2\n", {{"q1_deg", "sholder"}}),
+  EXPECT_THAT(complaint_about_table("shoulder,elbow\n1,2\n", {{"q1_deg", "sholder"}}),
               HasSubstr("did you mean \"shoulder\"?"));
-  EXPECT_THAT(complaint("1,2\n3,4\n", {{"q1_deg", "7"}}),
+  EXPECT_THAT(complaint_about_table("1,2\n3,4\n", {{"q1_deg", "7"}}),
               HasSubstr("give a column number from 1 to 2"));
 }
 
 TEST(CsvTable, TellsAllProblemsAtOnce) {
-  const std::string text = complaint("x_mm,y_mm\n1\n2\n3,4\n5\n");
+  const std::string text = complaint_about_table("x_mm,y_mm\n1\n2\n3,4\n5\n");
   EXPECT_THAT(text, HasSubstr("readings.csv:2:"));
   EXPECT_THAT(text, HasSubstr("readings.csv:3:"));
   EXPECT_THAT(text, HasSubstr("readings.csv:5:"));
@@ -129,13 +131,13 @@ TEST(CsvTable, GivesUpOnNonsenseEarly) {
   std::string text = "a,b\n";
   for (int i = 0; i < 100000; ++i) text += "1\n";
   Diagnostics diagnostics;
-  EXPECT_FALSE(CsvTable::parse(file(text), {}, diagnostics).has_value());
+  EXPECT_FALSE(CsvTable::parse(csv_file(text), {}, diagnostics).has_value());
   EXPECT_LE(diagnostics.error_count(), 1000u);
 }
 
 RC_GTEST_PROP(CsvTable, SurvivesAnyText, (const std::string& text)) {
   Diagnostics diagnostics;
-  const auto table = CsvTable::parse(file(text), {}, diagnostics);
+  const auto table = CsvTable::parse(csv_file(text), {}, diagnostics);
   RC_ASSERT(table.has_value() != diagnostics.has_errors());
   if (table) {
     for (std::size_t c = 0; c < table->columns().size(); ++c) {
@@ -160,9 +162,9 @@ RC_GTEST_PROP(CsvTable, ReadsBackAnyNumbers, (const std::vector<std::pair<float,
 
 // Each of these was taken in silence, or told with half of the names.
 TEST(CsvTable, TellsWhatTheMapContradicts) {
-  EXPECT_THAT(complaint("A,B\n1,2\n", {{"x_mm", "A"}, {"y_mm", "A"}}),
+  EXPECT_THAT(complaint_about_table("A,B\n1,2\n", {{"x_mm", "A"}, {"y_mm", "A"}}),
               HasSubstr("--map takes column A twice: as x_mm and as y_mm"));
-  EXPECT_THAT(complaint("q1_deg,q1_rad\n1,2\n"),
+  EXPECT_THAT(complaint_about_table("q1_deg,q1_rad\n1,2\n"),
               HasSubstr("column q1_deg (number 1) and column q1_rad (number 2) are both \"q1\""));
   Diagnostics diagnostics;
   ASSERT_TRUE(CsvTable::parse({"p.csv", "q1_deg,q2_deg\n1,2\n", "UTF-8", ""},

@@ -14,13 +14,13 @@ namespace {
 
 using ::testing::HasSubstr;
 
-struct Read {
+struct ReadConditions {
   ObservationGroup group;
   std::string complaint;
 };
 
-Read conditions_of(const std::string& csv) {
-  Read read;
+ReadConditions conditions_of(const std::string& csv) {
+  ReadConditions read;
   Diagnostics diagnostics;
   const auto table = CsvTable::parse({"log.csv", csv, "UTF-8", ""}, {}, diagnostics);
   EXPECT_TRUE(table.has_value()) << diagnostics.to_text();
@@ -30,14 +30,14 @@ Read conditions_of(const std::string& csv) {
 }
 
 TEST(RowConditions, AreNoneWithoutTheirColumns) {
-  const Read read = conditions_of("q1_deg,x_mm\n1,2\n3,4\n");
+  const ReadConditions read = conditions_of("q1_deg,x_mm\n1,2\n3,4\n");
   EXPECT_EQ(read.complaint, "");
   EXPECT_EQ(read.group.time_s.size(), 0);
   EXPECT_EQ(read.group.temperature_c.size(), 0);
 }
 
 TEST(RowConditions, ReadDatesOfAnyZoneWithFractions) {
-  const Read read = conditions_of(
+  const ReadConditions read = conditions_of(
       "q1_deg,time,temperature_c\n1,2026-03-02T10:15:30.25+01:00,20.5\n2,2026-03-02 09:16,-3\n");
   EXPECT_EQ(read.complaint, "");
   ASSERT_EQ(read.group.time_s.size(), 2);
@@ -48,7 +48,8 @@ TEST(RowConditions, ReadDatesOfAnyZoneWithFractions) {
 }
 
 TEST(RowConditions, ReadPlainSeconds) {
-  const Read read = conditions_of("q1_deg;Time [s];Temperature [°C]\n1;0,5;20,25\n2;1e3;21\n");
+  const ReadConditions read =
+      conditions_of("q1_deg;Time [s];Temperature [°C]\n1;0,5;20,25\n2;1e3;21\n");
   EXPECT_EQ(read.complaint, "");
   EXPECT_FALSE(read.group.time_is_utc);
   EXPECT_EQ(read.group.time_s, Eigen::Vector2d(0.5, 1000.0));
@@ -56,7 +57,7 @@ TEST(RowConditions, ReadPlainSeconds) {
 }
 
 TEST(RowConditions, TakeEmptyFieldsForRowsThatDoNotSay) {
-  const Read read = conditions_of("q1_deg,time,temperature_c\n1,,20\n2,2026-03-02,n/a\n");
+  const ReadConditions read = conditions_of("q1_deg,time,temperature_c\n1,,20\n2,2026-03-02,n/a\n");
   EXPECT_EQ(read.complaint, "");
   EXPECT_TRUE(std::isnan(read.group.time_s(0)));
   EXPECT_EQ(read.group.time_s(1), static_cast<double>(*parse_utc_time("2026-03-02")));
@@ -67,7 +68,7 @@ TEST(RowConditions, TakeEmptyFieldsForRowsThatDoNotSay) {
 TEST(RowConditions, NameFieldsThatAreNoTime) {
   for (const char* bad : {"yesterday", "2026-02-30", "09:15:30", "2026-03-02T09:15:30.Z",
                           "2026-03-02T09:15.5", "2026-03-02T24:00:00"}) {
-    const Read read =
+    const ReadConditions read =
         conditions_of(std::string("q1_deg,time\n1,2026-03-02\n2,") + bad + "\n3,2026-03-03\n");
     EXPECT_THAT(read.complaint,
                 HasSubstr(std::string("log.csv:3:3: error: \"") + bad + "\" is no time"));

@@ -14,7 +14,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-Session read(const std::string& path, const std::string& text) {
+Session read_session(const std::string& path, const std::string& text) {
   Diagnostics diagnostics;
   const auto session = read_session_file({path, text, "UTF-8", ""}, diagnostics);
   EXPECT_TRUE(session.has_value()) << diagnostics.to_text() << text;
@@ -129,10 +129,10 @@ check_seed = 5
 
 TEST(SessionText, ReadsBackAsTheSameSession) {
   for (const char* path : {"s.session.toml", "one/two/s.session.toml"}) {
-    const Session session = read(path, kEverything);
+    const Session session = read_session(path, kEverything);
     const std::string text = session_text(session, "a note");
-    expect_same(session, read(path, text));
-    EXPECT_EQ(text, session_text(read(path, text), "a note"));
+    expect_same(session, read_session(path, text));
+    EXPECT_EQ(text, session_text(read_session(path, text), "a note"));
   }
 }
 
@@ -140,21 +140,21 @@ TEST(SessionText, ReadsBackForTheExamples) {
   for (const char* name : {"calibration/seats", "calibration/tracker", "real/positioner-poses"}) {
     SCOPED_TRACE(name);
     const auto path = testing::repository() / "examples" / (std::string(name) + ".session.toml");
-    const Session session = read(path.string(), testing::read_bytes(path));
-    expect_same(session, read(path.string(), session_text(session)));
+    const Session session = read_session(path.string(), testing::read_bytes(path));
+    expect_same(session, read_session(path.string(), session_text(session)));
   }
 }
 
 TEST(SessionText, SaysOnceWhatAllEncodersShare) {
-  Session session = read("s.session.toml", kEverything);
+  Session session = read_session("s.session.toml", kEverything);
   for (SessionGroup& group : session.groups) group.u_encoder_rad = 1e-5;
   const std::string text = session_text(session);
   EXPECT_EQ(text.find("u_encoder_arcsec"), text.rfind("u_encoder_arcsec"));
-  expect_same(session, read("s.session.toml", text));
+  expect_same(session, read_session("s.session.toml", text));
 }
 
 TEST(SessionText, SaysNothingThatIsSoAnyway) {
-  Session session = read("s.session.toml", kEverything);
+  Session session = read_session("s.session.toml", kEverything);
   session.groups.resize(1);
   session.groups[0].name = "cmm";
   session.estimate = {};

@@ -4,12 +4,11 @@
 
 #include <string>
 
+#include "armcal/core/units.h"
 #include "armcal/io/number_text.h"
 
 namespace armcal {
 namespace {
-
-constexpr double kMillimetresPerMicrometre = 1e-3;
 
 std::optional<double> not_negative(std::string_view text) {
   const auto value = parse_number(text);
@@ -22,7 +21,7 @@ std::optional<StatedLimit> line_of(std::string_view text) {
   const std::size_t plus = text.find(kLength);
   const auto constant = not_negative(text.substr(0, plus));
   if (!constant) return std::nullopt;
-  StatedLimit limit{*constant * kMillimetresPerMicrometre, {}, {}};
+  StatedLimit limit{millimetres_from_micrometres(*constant), {}, {}};
   if (plus == text.npos) return limit.a_mm > 0.0 ? std::optional(limit) : std::nullopt;
   limit.k = not_negative(text.substr(plus + kLength.size()));
   return limit.k && *limit.k > 0.0 ? std::optional(limit) : std::nullopt;
@@ -35,7 +34,7 @@ std::optional<StatedLimit> lesser_of(std::string_view text) {
   auto limit = line_of(text.substr(0, comma));
   const auto largest = not_negative(text.substr(comma + 1));
   if (!limit || !limit->k || !largest) return std::nullopt;
-  limit->b_mm = *largest * kMillimetresPerMicrometre;
+  limit->b_mm = millimetres_from_micrometres(*largest);
   return *limit->b_mm > limit->a_mm ? limit : std::nullopt;
 }
 

@@ -22,7 +22,7 @@ namespace {
 constexpr double kClaimUncertainty_mm = 0.0005;
 constexpr double kClaimUncertainty_deg = 0.0005;
 
-const std::vector<std::string> kKinds = {"reversal", "circle_radius", "zero_search"};
+const std::vector<std::string> kReadingKinds = {"reversal", "circle_radius", "zero_search"};
 
 std::optional<SymmetricKind> kind_of(TomlSection& section, Diagnostics& diagnostics) {
   const auto kind = section.required_text("kind");
@@ -31,7 +31,7 @@ std::optional<SymmetricKind> kind_of(TomlSection& section, Diagnostics& diagnost
   if (*kind == "circle_radius") return SymmetricKind::circle_radius;
   if (*kind == "zero_search") return SymmetricKind::zero_search;
   diagnostics.error(section.where("kind"), fmt::format("unknown kind \"{}\"", *kind),
-                    did_you_mean(*kind, kKinds));
+                    did_you_mean(*kind, kReadingKinds));
   return std::nullopt;
 }
 

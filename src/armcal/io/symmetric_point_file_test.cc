@@ -16,27 +16,30 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-constexpr const char* kHead =
+constexpr const char* kProcedureHead =
     "schema = \"armcal.symmetric/1\"\narm = \"../nominal.arm.toml\"\nu_mm = 0.003\n";
 
-TextFile file(const std::string& text) { return {"folder/p.symmetric.toml", text, "UTF-8", ""}; }
+TextFile procedure_file(const std::string& text) {
+  return {"folder/p.symmetric.toml", text, "UTF-8", ""};
+}
 
-SymmetricPointProcedure read(const std::string& text) {
+SymmetricPointProcedure read_procedure(const std::string& text) {
   Diagnostics diagnostics;
-  const auto procedure = read_symmetric_point_file(file(kHead + text), diagnostics);
+  const auto procedure =
+      read_symmetric_point_file(procedure_file(kProcedureHead + text), diagnostics);
   EXPECT_TRUE(procedure.has_value()) << diagnostics.to_text();
   return procedure.value_or(SymmetricPointProcedure{});
 }
 
-std::string complaint(const std::string& text) {
+std::string complaint_about_procedure(const std::string& text) {
   Diagnostics diagnostics;
-  auto procedure = read_symmetric_point_file(file(kHead + text), diagnostics);
+  auto procedure = read_symmetric_point_file(procedure_file(kProcedureHead + text), diagnostics);
   EXPECT_FALSE(procedure && check_against_arm(*procedure, testing::nominal_romer(), diagnostics));
   return diagnostics.to_text();
 }
 
 TEST(SymmetricPointFile, ReadsReducedAndRawReadings) {
-  SymmetricPointProcedure procedure = read(R"(
+  SymmetricPointProcedure procedure = read_procedure(R"(
 [[reading]]
 name = "l_PP1"
 kind = "reversal"
@@ -96,77 +99,88 @@ alpha3_deg = -90
 }
 
 TEST(SymmetricPointFile, NamesWhatIsWrongWithAReading) {
-  EXPECT_THAT(complaint(""), HasSubstr("p.symmetric.toml: error: has no readings"));
-  EXPECT_THAT(complaint("[[reading]]\nkind = \"reversl\"\njoint = 5\n"),
+  EXPECT_THAT(complaint_about_procedure(""), HasSubstr("p.symmetric.toml: error: has no readings"));
+  EXPECT_THAT(complaint_about_procedure("[[reading]]\nkind = \"reversl\"\njoint = 5\n"),
               HasSubstr("p.symmetric.toml:5:1: error: unknown kind \"reversl\"\n  help: did you "
                         "mean \"reversal\"?"));
+  EXPECT_THAT(complaint_about_procedure(
+                  "[[reading]]\nkind = \"reversal\"\njoint = 5\nposture_deg = [0,0,0,0,0,0]\n"),
+              HasSubstr("reading \"reading 1\" has neither distance_mm nor file"));
   EXPECT_THAT(
-      complaint("[[reading]]\nkind = \"reversal\"\njoint = 5\nposture_deg = [0,0,0,0,0,0]\n"),
-      HasSubstr("reading \"reading 1\" has neither distance_mm nor file"));
-  EXPECT_THAT(complaint("[[reading]]\nkind = \"reversal\"\njoint = 5\ndistance_mm = "
-                        "-3\nposture_deg = [0,0,0,0,0,0]\n"),
-              HasSubstr("distance_mm must be larger than 0"));
-  EXPECT_THAT(complaint("[[reading]]\nkind = \"reversal\"\njoint = 5\ndistance_mm = 3\nu_mm = "
-                        "0\nposture_deg = [0,0,0,0,0,0]\n"),
+      complaint_about_procedure("[[reading]]\nkind = \"reversal\"\njoint = 5\ndistance_mm = "
+                                "-3\nposture_deg = [0,0,0,0,0,0]\n"),
+      HasSubstr("distance_mm must be larger than 0"));
+  EXPECT_THAT(complaint_about_procedure(
+                  "[[reading]]\nkind = \"reversal\"\njoint = 5\ndistance_mm = 3\nu_mm = "
+                  "0\nposture_deg = [0,0,0,0,0,0]\n"),
               HasSubstr("p.symmetric.toml:8:1: error: u_mm must be larger than 0"));
-  EXPECT_THAT(complaint("[[reading]]\nkind = \"zero_search\"\njoint = 4\nangle_deg = "
-                        "3\nposture_deg = [0,0,0,0,0,0]\n"),
-              HasSubstr("has no uncertainty\n  help: give its u_deg"));
-  EXPECT_THAT(complaint("[[reading]]\nkind = \"reversal\"\njoint = 5\ndistance = 3\nposture_deg = "
-                        "[0,0,0,0,0,0]\n"),
+  EXPECT_THAT(
+      complaint_about_procedure("[[reading]]\nkind = \"zero_search\"\njoint = 4\nangle_deg = "
+                                "3\nposture_deg = [0,0,0,0,0,0]\n"),
+      HasSubstr("has no uncertainty\n  help: give its u_deg"));
+  EXPECT_THAT(complaint_about_procedure(
+                  "[[reading]]\nkind = \"reversal\"\njoint = 5\ndistance = 3\nposture_deg = "
+                  "[0,0,0,0,0,0]\n"),
               HasSubstr("unknown key \"distance\"\n  help: did you mean \"distance_mm\"?"));
 }
 
 TEST(SymmetricPointFile, NamesWhatDoesNotSuitTheArm) {
   const std::string good = "kind = \"reversal\"\ndistance_mm = 3\n";
   EXPECT_THAT(
-      complaint("[[reading]]\n" + good + "joint = 7\nposture_deg = [0,0,0,0,0,0]\n"),
+      complaint_about_procedure("[[reading]]\n" + good +
+                                "joint = 7\nposture_deg = [0,0,0,0,0,0]\n"),
       HasSubstr(
           "p.symmetric.toml:4:1: error: reading \"reading 1\": joint 7 of an arm with 6 joints"));
-  EXPECT_THAT(complaint("[[reading]]\n" + good + "joint = 5\nposture_deg = [0,0]\n"),
-              HasSubstr("posture_deg has 2 angles, the arm has 6 joints"));
-  EXPECT_THAT(complaint("[[reading]]\n" + good + "joint = 5\n"), HasSubstr("has no posture_deg"));
-  EXPECT_THAT(complaint("[[reading]]\n" + good +
-                        "joint = 5\nsolves = \"b8\"\nposture_deg = [0,0,0,0,0,0]\n"),
-              HasSubstr("solves = \"b8\": no such parameter\n  help: did you mean \"b"));
-  EXPECT_THAT(complaint("[[reading]]\nkind = \"zero_search\"\njoint = 4\nsweep = 5\nangle_deg = "
-                        "3\nu_deg = 1\nposture_deg = [0,0,0,0,0,0]\n"),
+  EXPECT_THAT(
+      complaint_about_procedure("[[reading]]\n" + good + "joint = 5\nposture_deg = [0,0]\n"),
+      HasSubstr("posture_deg has 2 angles, the arm has 6 joints"));
+  EXPECT_THAT(complaint_about_procedure("[[reading]]\n" + good + "joint = 5\n"),
+              HasSubstr("has no posture_deg"));
+  EXPECT_THAT(
+      complaint_about_procedure("[[reading]]\n" + good +
+                                "joint = 5\nsolves = \"b8\"\nposture_deg = [0,0,0,0,0,0]\n"),
+      HasSubstr("solves = \"b8\": no such parameter\n  help: did you mean \"b"));
+  EXPECT_THAT(complaint_about_procedure(
+                  "[[reading]]\nkind = \"zero_search\"\njoint = 4\nsweep = 5\nangle_deg = "
+                  "3\nu_deg = 1\nposture_deg = [0,0,0,0,0,0]\n"),
               HasSubstr("sweep = 5 is not a joint below joint 4"));
   const std::string fine = "[[reading]]\n" + good + "joint = 5\nposture_deg = [0,0,0,0,0,0]\n";
-  EXPECT_THAT(complaint(fine + "[claims]\na9_mm = 3\n"),
+  EXPECT_THAT(complaint_about_procedure(fine + "[claims]\na9_mm = 3\n"),
               HasSubstr("claim of \"a9\": no such parameter"));
-  EXPECT_THAT(complaint(fine + "[claims]\na5 = 3\n"),
+  EXPECT_THAT(complaint_about_procedure(fine + "[claims]\na5 = 3\n"),
               HasSubstr("claim \"a5\" has no unit\n  help: write a5_mm or a5_deg"));
-  EXPECT_THAT(complaint(fine + "[adjust]\nunknowns = \"gamma*\"\n"),
+  EXPECT_THAT(complaint_about_procedure(fine + "[adjust]\nunknowns = \"gamma*\"\n"),
               HasSubstr("no parameter is named \"gamma*\""));
-  EXPECT_THAT(complaint(fine + "[signs]\nunknown = [\"direction9\"]\n"),
+  EXPECT_THAT(complaint_about_procedure(fine + "[signs]\nunknown = [\"direction9\"]\n"),
               HasSubstr("unknown sign of \"direction9\""));
-  EXPECT_THAT(complaint(fine + fine.substr(0, fine.size() - 1) + "\nname = \"reading 1\"\n"),
+  EXPECT_THAT(complaint_about_procedure(fine + fine.substr(0, fine.size() - 1) +
+                                        "\nname = \"reading 1\"\n"),
               HasSubstr("two readings are named \"reading 1\""));
 }
 
 TEST(SymmetricPointFile, TurnsAJointTheOtherWayWhereItSaysSo) {
   const std::string head = "[[reading]]\nkind = \"reversal\"\njoint = 3\ndistance_mm = 100\n";
   SymmetricPointProcedure procedure =
-      read(head + "posture_deg = [0, 0, 90, 0, 0, 0]\nturn_deg = -180\n");
+      read_procedure(head + "posture_deg = [0, 0, 90, 0, 0, 0]\nturn_deg = -180\n");
   Diagnostics diagnostics;
   ASSERT_TRUE(check_against_arm(procedure, testing::nominal_romer(), diagnostics));
   EXPECT_NEAR(procedure.readings[0].posture_end_rad(2), -std::numbers::pi / 2.0, 1e-15);
-  EXPECT_THAT(complaint(head + "posture_deg = [0, 0, 0, 0, 0, 0]\nturn_deg = 0\n"),
+  EXPECT_THAT(complaint_about_procedure(head + "posture_deg = [0, 0, 0, 0, 0, 0]\nturn_deg = 0\n"),
               HasSubstr(":9:1: error: turn_deg is 0: must be within +-360 and not 0"));
 }
 
 RC_GTEST_PROP(SymmetricPointFile, SurvivesAnyBytes, (const std::string& text)) {
   Diagnostics diagnostics;
-  const bool read = read_symmetric_point_file(file(kHead + text), diagnostics).has_value();
+  const bool read =
+      read_symmetric_point_file(procedure_file(kProcedureHead + text), diagnostics).has_value();
   RC_ASSERT(read != diagnostics.has_errors());
 }
 
 TEST(SymmetricPointFile, ReadsTheUncertaintyOfTheEncoders) {
   const std::string reading = "[[reading]]\nkind = \"circle_radius\"\njoint = 6\nradius_mm = 178\n";
-  EXPECT_EQ(read(reading).u_encoder_rad, 0.0);
-  EXPECT_NEAR(read("u_encoder_arcsec = 2\n" + reading).u_encoder_rad, 9.6963e-6, 1e-10);
-  EXPECT_THAT(complaint("u_encoder_arcsec = -1\n" + reading),
+  EXPECT_EQ(read_procedure(reading).u_encoder_rad, 0.0);
+  EXPECT_NEAR(read_procedure("u_encoder_arcsec = 2\n" + reading).u_encoder_rad, 9.6963e-6, 1e-10);
+  EXPECT_THAT(complaint_about_procedure("u_encoder_arcsec = -1\n" + reading),
               HasSubstr("u_encoder_arcsec must not be negative"));
 }
 

@@ -23,8 +23,8 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-SymmetricPointProcedure read(const std::string& text,
-                             const std::string& path = "folder/p.symmetric.toml") {
+SymmetricPointProcedure read_back(const std::string& text,
+                                  const std::string& path = "folder/p.symmetric.toml") {
   Diagnostics diagnostics;
   auto procedure = read_symmetric_point_file({path, text, "UTF-8", ""}, diagnostics);
   EXPECT_TRUE(procedure.has_value()) << diagnostics.to_text() << text;
@@ -73,7 +73,7 @@ void expect_same(const SymmetricPointProcedure& one, const SymmetricPointProcedu
 }
 
 SymmetricPointProcedure everything() {
-  return read(R"(schema = "armcal.symmetric/1"
+  return read_back(R"(schema = "armcal.symmetric/1"
 arm = "../nominal.arm.toml"
 [[reading]]
 name = "a \"reduced\" one"
@@ -123,8 +123,8 @@ u_deg = 0.01
 TEST(SymmetricPointText, ReadsBackAsTheSameProcedure) {
   const SymmetricPointProcedure procedure = everything();
   const std::string text = symmetric_point_text(procedure, "a name", "a note");
-  expect_same(procedure, read(text));
-  EXPECT_EQ(text, symmetric_point_text(read(text), "a name", "a note"));
+  expect_same(procedure, read_back(text));
+  EXPECT_EQ(text, symmetric_point_text(read_back(text), "a name", "a note"));
 }
 
 TEST(SymmetricPointText, ReadsBackForEveryExample) {
@@ -132,8 +132,8 @@ TEST(SymmetricPointText, ReadsBackForEveryExample) {
        {"wang2016/as-printed", "wang2016/as-meant", "wang2016/signs", "half-turns/procedure"}) {
     SCOPED_TRACE(name);
     const auto path = testing::repository() / "examples" / (std::string(name) + ".symmetric.toml");
-    const auto procedure = read(testing::read_bytes(path), path.string());
-    expect_same(procedure, read(symmetric_point_text(procedure), path.string()));
+    const auto procedure = read_back(testing::read_bytes(path), path.string());
+    expect_same(procedure, read_back(symmetric_point_text(procedure), path.string()));
   }
 }
 
@@ -152,7 +152,7 @@ TEST(SymmetricPointText, NamesAFileForEveryPlannedReading) {
   plan.file = "plans/arm.symmetric.toml";
   plan.arm_file = "nominal.arm.toml";
   plan.readings = {planned("joint 5, tip out"), planned("joint 5 tip out"), planned("***")};
-  const SymmetricPointProcedure back = read(symmetric_point_text(plan), plan.file);
+  const SymmetricPointProcedure back = read_back(symmetric_point_text(plan), plan.file);
   EXPECT_EQ(back.arm_file, "nominal.arm.toml");
   EXPECT_EQ(back.readings[0].raw->file, "plans/joint-5-tip-out.csv");
   EXPECT_EQ(back.readings[1].raw->file, "plans/joint-5-tip-out-2.csv");
@@ -254,7 +254,7 @@ TEST(SymmetricPointWriter, KeepsTheUncertaintyOfTheEncoders) {
   procedure.u_encoder_rad = radians_from_arcseconds(2.0);
   const std::string text = symmetric_point_text(procedure);
   EXPECT_THAT(text, HasSubstr("u_encoder_arcsec = 2\n"));
-  EXPECT_NEAR(read(text).u_encoder_rad, procedure.u_encoder_rad, 1e-18);
+  EXPECT_NEAR(read_back(text).u_encoder_rad, procedure.u_encoder_rad, 1e-18);
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ namespace {
 using ::testing::HasSubstr;
 using testing::TemporaryFolder;
 
-std::string complaint(const std::string& path, std::uint64_t largest = 1000) {
+std::string complaint_about_file(const std::string& path, std::uint64_t largest = 1000) {
   Diagnostics diagnostics;
   EXPECT_FALSE(read_text_file(path, largest, diagnostics).has_value());
   return diagnostics.to_text();
@@ -32,15 +32,16 @@ TEST(TextFile, ReadsDecodesAndHashes) {
 
 TEST(TextFile, SaysWhatIsWrongWithAFile) {
   const TemporaryFolder folder;
-  EXPECT_THAT(complaint(folder.path("missing.csv")),
+  EXPECT_THAT(complaint_about_file(folder.path("missing.csv")),
               HasSubstr("missing.csv: error: cannot open: No such file or directory"));
-  EXPECT_THAT(complaint(folder.path("")), HasSubstr("error: is a folder, not a file"));
-  EXPECT_THAT(complaint(folder.write("empty.csv", "")), HasSubstr("empty.csv: error: is empty"));
-  EXPECT_THAT(complaint(folder.write("big.csv", std::string(1001, 'x'))),
+  EXPECT_THAT(complaint_about_file(folder.path("")), HasSubstr("error: is a folder, not a file"));
+  EXPECT_THAT(complaint_about_file(folder.write("empty.csv", "")),
+              HasSubstr("empty.csv: error: is empty"));
+  EXPECT_THAT(complaint_about_file(folder.write("big.csv", std::string(1001, 'x'))),
               HasSubstr("is larger than 0 MB"));
-  EXPECT_THAT(complaint(folder.write("bin.csv", std::string("\x7F"
-                                                            "ELF\x02\x01\x00",
-                                                            7))),
+  EXPECT_THAT(complaint_about_file(folder.write("bin.csv", std::string("\x7F"
+                                                                       "ELF\x02\x01\x00",
+                                                                       7))),
               HasSubstr("is not a text file: byte 0x02 at offset 4"));
 }
 

@@ -23,7 +23,7 @@ struct Outcome {
   std::string messages;
 };
 
-Outcome read(const std::string& text, const std::optional<std::string>& chain = {}) {
+Outcome read_robot(const std::string& text, const std::optional<std::string>& chain = {}) {
   Diagnostics diagnostics;
   auto arm = read_urdf({"r.urdf", text, "UTF-8", ""}, chain, diagnostics);
   EXPECT_NE(arm.has_value(), diagnostics.has_errors());
@@ -48,7 +48,7 @@ std::string two_joints(const std::string& first, const std::string& second = "",
 }
 
 TEST(UrdfFile, AMakersUr10HasThePosesOfItsDhTable) {
-  const Outcome outcome = read(testing::kUr10Urdf);
+  const Outcome outcome = read_robot(testing::kUr10Urdf);
   ASSERT_TRUE(outcome.arm) << outcome.messages;
   expect_same_poses(*outcome.arm, example_arm("ur10"));
   EXPECT_EQ(outcome.messages, "");
@@ -58,13 +58,13 @@ TEST(UrdfFile, AMakersUr10HasThePosesOfItsDhTable) {
 }
 
 TEST(UrdfFile, AMakersPandaHasThePosesOfItsDhTable) {
-  const Outcome outcome = read(testing::kPandaUrdf, "panda_link0:panda_link8");
+  const Outcome outcome = read_robot(testing::kPandaUrdf, "panda_link0:panda_link8");
   ASSERT_TRUE(outcome.arm) << outcome.messages;
   expect_same_poses(*outcome.arm, example_arm("panda"));
 }
 
 TEST(UrdfFile, TheChainMayBeAPartOfTheRobot) {
-  const Outcome outcome = read(testing::kUr10Urdf, "shoulder_link:wrist_2_link");
+  const Outcome outcome = read_robot(testing::kUr10Urdf, "shoulder_link:wrist_2_link");
   ASSERT_TRUE(outcome.arm) << outcome.messages;
   EXPECT_EQ(outcome.arm->joint_count(), 4);
   EXPECT_EQ(outcome.arm->note,
@@ -73,17 +73,18 @@ TEST(UrdfFile, TheChainMayBeAPartOfTheRobot) {
 }
 
 TEST(UrdfFile, AxesNeedNoUnitLengthAndAreXByDefault) {
-  const Outcome slanted = read(two_joints("<axis xyz='0 3 -4'/>", "<axis xyz='-1e-3 0 0'/>"));
-  const Outcome unit = read(two_joints("<axis xyz='0 0.6 -0.8'/>", "<axis xyz='-1 0 0'/>"));
+  const Outcome slanted = read_robot(two_joints("<axis xyz='0 3 -4'/>", "<axis xyz='-1e-3 0 0'/>"));
+  const Outcome unit = read_robot(two_joints("<axis xyz='0 0.6 -0.8'/>", "<axis xyz='-1 0 0'/>"));
   expect_same_poses(slanted.arm.value(), unit.arm.value());
-  expect_same_poses(read(two_joints("", "<axis xyz='0 0 1'/>")).arm.value(),
-                    read(two_joints("<axis xyz='1 0 0'/>", "<axis xyz='0 0 1'/>")).arm.value());
+  expect_same_poses(
+      read_robot(two_joints("", "<axis xyz='0 0 1'/>")).arm.value(),
+      read_robot(two_joints("<axis xyz='1 0 0'/>", "<axis xyz='0 0 1'/>")).arm.value());
 }
 
 TEST(UrdfFile, MillimetresHaveTheDigitsOfTheMetres) {
-  const auto arm = read(two_joints("<axis xyz='0 0 1'/>",
-                                   "<origin xyz='0.747489 0 -5.25e-5' rpy='1.2 0 0'/>"
-                                   "<axis xyz='0 0 1'/>"))
+  const auto arm = read_robot(two_joints("<axis xyz='0 0 1'/>",
+                                         "<origin xyz='0.747489 0 -5.25e-5' rpy='1.2 0 0'/>"
+                                         "<axis xyz='0 0 1'/>"))
                        .arm.value();
   EXPECT_EQ(arm.links[0].a_mm, 747.489);
   EXPECT_EQ(arm.links[0].d_mm, -0.0525);
@@ -94,78 +95,81 @@ TEST(UrdfFile, SeveralEndsAreListed) {
   forked.insert(forked.rfind("</robot>"),
                 "<link name='camera'/><joint name='mount' type='fixed'>"
                 "<parent link='wrist_3_link'/><child link='camera'/></joint>");
-  EXPECT_EQ(read(forked).messages,
+  EXPECT_EQ(read_robot(forked).messages,
             "r.urdf:2:1: error: has 2 ends: camera, tool0\n"
             "  help: tell which is the tip: --chain base:camera\n");
-  EXPECT_TRUE(read(forked, "base:tool0").arm);
+  EXPECT_TRUE(read_robot(forked, "base:tool0").arm);
 }
 
 TEST(UrdfFile, AChainMustExist) {
-  EXPECT_EQ(read(testing::kUr10Urdf, "base").messages,
+  EXPECT_EQ(read_robot(testing::kUr10Urdf, "base").messages,
             "r.urdf: error: --chain base is not BASE:TIP\n  help: give the names of two links\n");
-  EXPECT_EQ(read(testing::kUr10Urdf, "base:tool1").messages,
+  EXPECT_EQ(read_robot(testing::kUr10Urdf, "base:tool1").messages,
             "r.urdf: error: --chain base:tool1: there is no link \"tool1\"\n"
             "  help: did you mean \"tool0\"?\n");
-  EXPECT_EQ(read(testing::kUr10Urdf, "tool0:base").messages,
+  EXPECT_EQ(read_robot(testing::kUr10Urdf, "tool0:base").messages,
             "r.urdf: error: no chain of joints leads from \"tool0\" out to \"base\"\n"
             "  help: the way back from \"base\" ends at \"base\"\n");
 }
 
 TEST(UrdfFile, OnlyTurningJointsMakeAnArm) {
-  EXPECT_EQ(read(testing::kPandaUrdf).messages,
+  EXPECT_EQ(read_robot(testing::kPandaUrdf).messages,
             "r.urdf:45:43: error: joint \"panda_finger_joint1\" is prismatic\n"
             "  help: the joints of an arm here are revolute, continuous or fixed; choose a chain "
             "without it: --chain BASE:TIP\n");
   for (const char* type : {"floating", "planar", "ball"}) {
-    EXPECT_THAT(read(two_joints("", "", type)).messages,
+    EXPECT_THAT(read_robot(two_joints("", "", type)).messages,
                 HasSubstr(fmt::format("r.urdf:3:25: error: joint \"one\" is {}", type)));
   }
-  EXPECT_THAT(read(two_joints("", "<mimic joint='one'/>")).messages,
+  EXPECT_THAT(read_robot(two_joints("", "<mimic joint='one'/>")).messages,
               HasSubstr("r.urdf:4:72: error: joint \"two\" mimics joint \"one\""));
-  EXPECT_THAT(read(two_joints("", "", "fixed")).messages,
+  EXPECT_THAT(read_robot(two_joints("", "", "fixed")).messages,
               HasSubstr("the chain has 1 turning joint: an arm here has 2 to 10"));
 }
 
 TEST(UrdfFile, AllBadNumbersAreToldAtOnce) {
-  const Outcome outcome =
-      read(two_joints("<origin xyz='0 0 1,5'/><axis xyz='0 0 0'/><limit lower='2' upper='nan'/>",
-                      "<origin xyz='747 0 0' rpy='90 0 0'/><axis xyz='1 0'/>", "revolute"));
+  const Outcome outcome = read_robot(
+      two_joints("<origin xyz='0 0 1,5'/><axis xyz='0 0 0'/><limit lower='2' upper='nan'/>",
+                 "<origin xyz='747 0 0' rpy='90 0 0'/><axis xyz='1 0'/>", "revolute"));
   EXPECT_THAT(outcome.messages, HasSubstr("r.urdf:3:83: error: xyz=\"0 0 1,5\" is not three"));
   EXPECT_THAT(outcome.messages, HasSubstr("error: axis \"0 0 0\" has no direction"));
   EXPECT_THAT(outcome.messages, HasSubstr("error: upper=\"nan\" is not a number"));
   EXPECT_THAT(outcome.messages, HasSubstr("error: an offset of 747 m is no arm's"));
   EXPECT_THAT(outcome.messages, HasSubstr("are these millimetres?"));
   EXPECT_THAT(outcome.messages, HasSubstr("error: xyz=\"1 0\" is not three numbers"));
-  EXPECT_THAT(read(two_joints("<origin rpy='90 0 0'/>")).messages,
+  EXPECT_THAT(read_robot(two_joints("<origin rpy='90 0 0'/>")).messages,
               HasSubstr("an angle of 90 rad is more than two turns"));
 }
 
 TEST(UrdfFile, LimitsAreInOrderOrMissing) {
-  EXPECT_THAT(read(two_joints("<limit upper='-1'/>", "", "revolute")).messages,
+  EXPECT_THAT(read_robot(two_joints("<limit upper='-1'/>", "", "revolute")).messages,
               HasSubstr("joint \"one\": lower limit 0 is not below upper limit -1"));
-  const Outcome missing = read(two_joints("", "", "revolute"));
+  const Outcome missing = read_robot(two_joints("", "", "revolute"));
   EXPECT_TRUE(missing.arm);
   EXPECT_THAT(missing.messages, HasSubstr("warning: joint \"one\" is revolute without <limit>"));
 }
 
 TEST(UrdfFile, LinksAndJointsMustHangTogether) {
-  EXPECT_THAT(read("<robot><link name='a'/><link name='a'/></robot>").messages,
+  EXPECT_THAT(read_robot("<robot><link name='a'/><link name='a'/></robot>").messages,
               HasSubstr("second link \"a\""));
-  EXPECT_THAT(read("<robot><link/></robot>").messages, HasSubstr("<link> has no name=\"..\""));
-  EXPECT_THAT(read("<robot><link name='a'/></robot>").messages, HasSubstr("<robot> has no joint"));
-  EXPECT_THAT(read("<robot><link name='a'/><joint name='j'><parent link='a'/><child link='b'/>"
-                   "</joint></robot>")
-                  .messages,
-              HasSubstr("there is no link \"b\""));
+  EXPECT_THAT(read_robot("<robot><link/></robot>").messages,
+              HasSubstr("<link> has no name=\"..\""));
+  EXPECT_THAT(read_robot("<robot><link name='a'/></robot>").messages,
+              HasSubstr("<robot> has no joint"));
+  EXPECT_THAT(
+      read_robot("<robot><link name='a'/><joint name='j'><parent link='a'/><child link='b'/>"
+                 "</joint></robot>")
+          .messages,
+      HasSubstr("there is no link \"b\""));
   const std::string ring =
       "<robot><link name='a'/><link name='b'/>"
       "<joint name='j' type='fixed'><parent link='a'/><child link='b'/></joint>"
       "<joint name='k' type='fixed'><parent link='b'/><child link='a'/></joint></robot>";
-  EXPECT_THAT(read(ring).messages, HasSubstr("its links make a ring"));
-  EXPECT_THAT(read(two_joints("", "<child link='b'/>")).messages, ::testing::IsEmpty());
+  EXPECT_THAT(read_robot(ring).messages, HasSubstr("its links make a ring"));
+  EXPECT_THAT(read_robot(two_joints("", "<child link='b'/>")).messages, ::testing::IsEmpty());
   std::string twice = two_joints("");
   twice.replace(twice.find("<child link=\"c\"/>"), 17, "<child link=\"b\"/>");
-  EXPECT_THAT(read(twice).messages,
+  EXPECT_THAT(read_robot(twice).messages,
               HasSubstr("link \"b\" hangs on two joints, \"one\" and \"two\""));
 }
 
@@ -174,38 +178,39 @@ TEST(UrdfFile, ALoopBehindTheTipEnds) {
       "<robot><link name='a'/><link name='b'/><link name='c'/>"
       "<joint name='j' type='fixed'><parent link='c'/><child link='b'/></joint>"
       "<joint name='k' type='fixed'><parent link='b'/><child link='c'/></joint></robot>";
-  EXPECT_THAT(read(text, "a:c").messages, HasSubstr("no chain of joints leads from \"a\""));
+  EXPECT_THAT(read_robot(text, "a:c").messages, HasSubstr("no chain of joints leads from \"a\""));
 }
 
 TEST(UrdfFile, XacroIsSentToXacro) {
-  const Outcome macro = read(
+  const Outcome macro = read_robot(
       "<robot xmlns:xacro=\"http://www.ros.org/wiki/xacro\" name=\"x\">\n"
       "  <xacro:arg name=\"n\"/>\n</robot>");
   EXPECT_EQ(macro.messages,
             "r.urdf:2:3: error: <xacro:arg>: this is a xacro file, from which a URDF is made\n"
             "  help: run xacro first: xacro FILE > arm.urdf\n");
-  EXPECT_THAT(read(two_joints("<origin xyz='0 0 ${d}'/>")).messages, HasSubstr("run xacro first"));
+  EXPECT_THAT(read_robot(two_joints("<origin xyz='0 0 ${d}'/>")).messages,
+              HasSubstr("run xacro first"));
   // What xacro leaves behind is no xacro.
   std::string made = two_joints("");
   made.replace(0, 7,
                "<!-- from <xacro:a/> --><robot xmlns:xacro=\"http://www.ros.org/wiki/xacro\" ");
-  EXPECT_TRUE(read(made).arm);
+  EXPECT_TRUE(read_robot(made).arm);
 }
 
 TEST(UrdfFile, HostileFilesAreOnlyRefused) {
   const std::string bomb =
       "<!DOCTYPE r [<!ENTITY a \"aaaaaaaaaa\"><!ENTITY b \"&a;&a;&a;&a;&a;&a;&a;&a;\">]>"
       "<robot name=\"&b;&b;\"/>";
-  EXPECT_THAT(read(bomb).messages, HasSubstr("<robot> has no joint"));
+  EXPECT_THAT(read_robot(bomb).messages, HasSubstr("<robot> has no joint"));
   std::string deep = "<robot>";
   for (int i = 0; i < 500'000; ++i) deep += "<link>";
-  EXPECT_THAT(read(deep).messages, HasSubstr("is not XML"));
+  EXPECT_THAT(read_robot(deep).messages, HasSubstr("is not XML"));
   std::string closed = deep;
   for (int i = 0; i < 500'000; ++i) closed += "</link>";
-  EXPECT_THAT(read(closed + "</robot>").messages, HasSubstr("<link> has no name"));
+  EXPECT_THAT(read_robot(closed + "</robot>").messages, HasSubstr("<link> has no name"));
   std::string wide = "<robot>";
   for (int i = 0; i < 100'000; ++i) wide += "<joint name='j'/>";
-  EXPECT_THAT(read(wide + "</robot>").messages, HasSubstr("joint \"j\" has no <parent"));
+  EXPECT_THAT(read_robot(wide + "</robot>").messages, HasSubstr("joint \"j\" has no <parent"));
 }
 
 TEST(UrdfFile, IsKnownByItsFirstCharacterOrItsName) {
@@ -215,10 +220,10 @@ TEST(UrdfFile, IsKnownByItsFirstCharacterOrItsName) {
 }
 
 TEST(UrdfFile, BrokenXmlHasAPlace) {
-  EXPECT_EQ(read("<robot name=\"x\">\n  <link name=\"a\">\n</robot>\n").messages,
+  EXPECT_EQ(read_robot("<robot name=\"x\">\n  <link name=\"a\">\n</robot>\n").messages,
             "r.urdf:3:3: error: is not XML: Start-end tags mismatch\n");
-  EXPECT_THAT(read("").messages, HasSubstr("error: is not XML"));
-  EXPECT_THAT(read("<sdf version='1.4'/>").messages,
+  EXPECT_THAT(read_robot("").messages, HasSubstr("error: is not XML"));
+  EXPECT_THAT(read_robot("<sdf version='1.4'/>").messages,
               HasSubstr("r.urdf:1:1: error: <sdf> is no robot description"));
 }
 

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "armcal/core/spelling.h"
+#include "armcal/core/units.h"
 #include "armcal/io/checked_number.h"
 #include "armcal/io/plausibility.h"
 #include "armcal/io/text_file.h"
@@ -12,8 +13,6 @@
 
 namespace armcal {
 namespace {
-
-constexpr double kMillimetresPerMicrometre = 1e-3;
 
 // Expansion by certificate, per kelvin.
 double expansion_of(TomlSection& section, const char* key, Diagnostics& diagnostics) {
@@ -29,9 +28,9 @@ double expansion_of(TomlSection& section, const char* key, Diagnostics& diagnost
 
 void read_sphere(TomlSection& section, StatedArtefact& artefact, Diagnostics& diagnostics) {
   artefact.diameter_mm = required_length(section, "diameter_mm", diagnostics);
-  artefact.U_mm = not_negative_or_zero(section, "U_um", diagnostics) * kMillimetresPerMicrometre;
+  artefact.U_mm = millimetres_from_micrometres(not_negative_or_zero(section, "U_um", diagnostics));
   artefact.form_mm =
-      not_negative_or_zero(section, "form_um", diagnostics) * kMillimetresPerMicrometre;
+      millimetres_from_micrometres(not_negative_or_zero(section, "form_um", diagnostics));
 }
 
 void read_lengths(TomlSection& section, StatedArtefact& artefact, const std::string& path,
@@ -52,7 +51,7 @@ void read_lengths(TomlSection& section, StatedArtefact& artefact, const std::str
                         "a length in mm, larger than 0, and its U in um, not negative");
     }
     artefact.lengths.push_back({fmt::format("{}", artefact.lengths.size() + 1), pair(0),
-                                pair(1) * kMillimetresPerMicrometre});
+                                millimetres_from_micrometres(pair(1))});
   }
   if (pairs->empty()) diagnostics.error(section.where("lengths"), "lengths is empty");
 }

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "armcal/core/spelling.h"
+#include "armcal/core/units.h"
 #include "armcal/io/checked_number.h"
 #include "armcal/io/session_file.h"
 #include "armcal/io/toml_value.h"
@@ -16,7 +17,6 @@
 namespace armcal {
 namespace {
 
-constexpr double kMillimetresPerMicrometre = 1e-3;
 constexpr const char* kFormulas =
     "in um, with L in mm: 30, \"20 + L/50\" or \"min(20 + L/50, 80)\"";
 
@@ -26,7 +26,7 @@ struct KindEntry {
   const char* second_limit;  // and of its second; null where it has one
 };
 // In the order of StatedTestKind.
-constexpr std::array<KindEntry, 8> kKinds = {{
+constexpr std::array<KindEntry, 8> kTestKinds = {{
     {"probing", "mpe_size_um", "mpe_form_um"},
     {"articulated_location", "mpe_um", nullptr},
     {"length_uni", "mpe_um", nullptr},
@@ -40,7 +40,9 @@ constexpr std::array<KindEntry, 8> kKinds = {{
 const std::vector<std::string> kRules = {"iso14253-1", "conformance-probability",
                                          "simple-acceptance", "guard-band"};
 
-const KindEntry& entry_of(StatedTestKind kind) { return kKinds[static_cast<std::size_t>(kind)]; }
+const KindEntry& entry_of(StatedTestKind kind) {
+  return kTestKinds[static_cast<std::size_t>(kind)];
+}
 
 StatedDecision read_decision(TomlSection section, Diagnostics& diagnostics) {
   StatedDecision decision;
@@ -84,13 +86,13 @@ StatedEnvironment read_environment(TomlSection section, Diagnostics& diagnostics
   return environment;
 }
 
-std::optional<StatedTestKind> kind_of(TomlSection& section, Diagnostics& diagnostics) {
+std::optional<StatedTestKind> test_kind_of(TomlSection& section, Diagnostics& diagnostics) {
   const auto name = section.required_text("kind");
   if (!name) return std::nullopt;
   std::vector<std::string> known;
-  for (std::size_t i = 0; i < kKinds.size(); ++i) {
-    if (*name == kKinds[i].name) return static_cast<StatedTestKind>(i);
-    known.emplace_back(kKinds[i].name);
+  for (std::size_t i = 0; i < kTestKinds.size(); ++i) {
+    if (*name == kTestKinds[i].name) return static_cast<StatedTestKind>(i);
+    known.emplace_back(kTestKinds[i].name);
   }
   diagnostics.error(section.where("kind"), fmt::format("unknown kind \"{}\"", *name),
                     did_you_mean(*name, known));
@@ -144,14 +146,14 @@ StatedTest read_test(TomlSection section, const std::string& path, std::optional
                      Diagnostics& diagnostics) {
   StatedTest test;
   test.where = section.where();
-  const auto kind = kind_of(section, diagnostics);
+  const auto kind = test_kind_of(section, diagnostics);
   test.kind = kind.value_or(test.kind);
   test.name = section.text("name").value_or(std::string(to_string(test.kind)));
   if (const auto file = section.required_text("file")) test.file = path_beside(path, *file);
   read_table_keys(section, test, angles, diagnostics);
   test.probe_diameter_mm = not_negative_or_zero(section, "probe_diameter_mm", diagnostics);
-  test.u_repeatability_mm =
-      not_negative_or_zero(section, "u_repeatability_um", diagnostics) * kMillimetresPerMicrometre;
+  test.u_repeatability_mm = millimetres_from_micrometres(
+      not_negative_or_zero(section, "u_repeatability_um", diagnostics));
   if (!kind) return test;  // which other keys it has, nobody knows
   read_artefact_name(section, test, diagnostics);
   test.limit = read_limit(section, entry_of(*kind).limit, measures_lengths(*kind), diagnostics);

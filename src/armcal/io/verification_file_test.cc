@@ -10,7 +10,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-constexpr const char* kHead = R"(schema = "armcal.verification/1"
+constexpr const char* kVerificationHead = R"(schema = "armcal.verification/1"
 )";
 constexpr const char* kSphere = R"(
 [[artefact]]
@@ -33,21 +33,21 @@ mpe_size_um = 30
 mpe_form_um = "40"
 )";
 
-std::optional<VerificationFile> read(const std::string& text, Diagnostics& diagnostics) {
+std::optional<VerificationFile> read_file(const std::string& text, Diagnostics& diagnostics) {
   return read_verification_file({"tests/arm.verification.toml", text, "UTF-8", ""}, diagnostics);
 }
 
 /// Everything that is said of a file that cannot be used.
 std::string complaints(const std::string& text) {
   Diagnostics diagnostics;
-  EXPECT_FALSE(read(text, diagnostics));
+  EXPECT_FALSE(read_file(text, diagnostics));
   EXPECT_TRUE(diagnostics.has_errors());
   return diagnostics.to_text();
 }
 
 TEST(VerificationFile, IsReadWithItsPathsBesideIt) {
   Diagnostics diagnostics;
-  const auto file = read(std::string(kHead) + R"(name = "arm 123"
+  const auto file = read_file(std::string(kVerificationHead) + R"(name = "arm 123"
 arm = "as-found.arm.toml"
 as_left = "as-left.arm.toml"
 reach_mm = 1250
@@ -59,7 +59,7 @@ guard_factor = 0.5
 temperature_c = 20.4
 u_temperature_c = 0.3
 )" + kSphere + kProbing,
-                         diagnostics);
+                              diagnostics);
   ASSERT_TRUE(file) << diagnostics.to_text();
   EXPECT_EQ(file->name, "arm 123");
   EXPECT_EQ(file->arm_file, "tests/as-found.arm.toml");
@@ -86,7 +86,7 @@ u_temperature_c = 0.3
 
 TEST(VerificationFile, TakesLengthsInPlace) {
   Diagnostics diagnostics;
-  const auto file = read(std::string(kHead) + R"(
+  const auto file = read_file(std::string(kVerificationHead) + R"(
 [[artefact]]
 name = "bar"
 kind = "lengths"
@@ -97,7 +97,7 @@ artefact = "bar"
 file = "bar.csv"
 mpe_um = "20 + L/50"
 )",
-                         diagnostics);
+                              diagnostics);
   ASSERT_TRUE(file) << diagnostics.to_text();
   ASSERT_EQ(file->artefacts.front().lengths.size(), 2U);
   EXPECT_EQ(file->artefacts.front().lengths[1].length_mm, 1000.0031);
@@ -107,7 +107,7 @@ mpe_um = "20 + L/50"
 }
 
 TEST(VerificationFile, NamesEveryMistakeWithLineAndRemedy) {
-  const std::string text = complaints(std::string(kHead) + R"([decision]
+  const std::string text = complaints(std::string(kVerificationHead) + R"([decision]
 rule = "iso14253"
 probability = 1.5
 [[artefact]]
@@ -135,17 +135,17 @@ mpe_um = 30
 }
 
 TEST(VerificationFile, AsksForTheArtefactOfATest) {
-  EXPECT_THAT(complaints(std::string(kHead) + kProbing),
+  EXPECT_THAT(complaints(std::string(kVerificationHead) + kProbing),
               HasSubstr("no artefact is named \"ball\"\n  help: describe it: [[artefact]]"));
-  EXPECT_THAT(complaints(std::string(kHead) + kSphere + R"([[test]]
+  EXPECT_THAT(complaints(std::string(kVerificationHead) + kSphere + R"([[test]]
 kind = "length_uni"
 artefact = "ball"
 file = "f.csv"
 )"),
               HasSubstr("length_uni needs calibrated lengths, and \"ball\" is a sphere"));
-  EXPECT_THAT(complaints(std::string(kHead) + kSphere + kSphere + kProbing),
+  EXPECT_THAT(complaints(std::string(kVerificationHead) + kSphere + kSphere + kProbing),
               HasSubstr("two artefacts are named \"ball\""));
-  EXPECT_THAT(complaints(std::string(kHead) + kSphere + R"([[test]]
+  EXPECT_THAT(complaints(std::string(kVerificationHead) + kSphere + R"([[test]]
 kind = "half_range"
 artefact = "ball"
 file = "f.csv"
@@ -154,18 +154,19 @@ file = "f.csv"
 }
 
 TEST(VerificationFile, RefusesNonsense) {
-  EXPECT_THAT(complaints(kHead), HasSubstr("has no tests\n  help: write one [[test]] for each"));
+  EXPECT_THAT(complaints(kVerificationHead),
+              HasSubstr("has no tests\n  help: write one [[test]] for each"));
   EXPECT_THAT(complaints("test = 3\n"), HasSubstr("has no schema"));
-  EXPECT_THAT(complaints(std::string(kHead) + "test = 3\n"),
+  EXPECT_THAT(complaints(std::string(kVerificationHead) + "test = 3\n"),
               HasSubstr("test must be tables, each headed [[test]]"));
   EXPECT_THAT(complaints("schema = \"armcal.session/1\"\n"),
               HasSubstr("schema \"armcal.session/1\" is not \"armcal.verification/1\""));
-  EXPECT_THAT(complaints(std::string(kHead) + "reach_mm = 1e9\n" + kSphere + kProbing),
+  EXPECT_THAT(complaints(std::string(kVerificationHead) + "reach_mm = 1e9\n" + kSphere + kProbing),
               HasSubstr("longer than a kilometre"));
-  EXPECT_THAT(
-      complaints(std::string(kHead) + "[environment]\ntemperature_c = 293\n" + kSphere + kProbing),
-      HasSubstr("temperatures are in degrees Celsius"));
-  EXPECT_THAT(complaints(std::string(kHead) + R"([[artefact]]
+  EXPECT_THAT(complaints(std::string(kVerificationHead) + "[environment]\ntemperature_c = 293\n" +
+                         kSphere + kProbing),
+              HasSubstr("temperatures are in degrees Celsius"));
+  EXPECT_THAT(complaints(std::string(kVerificationHead) + R"([[artefact]]
 name = "bar"
 kind = "lengths"
 expansion_per_c = 11.5

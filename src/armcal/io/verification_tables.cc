@@ -9,6 +9,7 @@
 #include <set>
 
 #include "armcal/core/spelling.h"
+#include "armcal/core/units.h"
 #include "armcal/io/number_text.h"
 
 namespace armcal {
@@ -253,9 +254,8 @@ std::optional<std::vector<CertifiedLength>> certified_lengths(const CsvTable& ta
   std::vector<CertifiedLength> result;
   std::set<std::string> seen;
   for (std::size_t row = 0; row < table.row_count(); ++row) {
-    constexpr double kMillimetresPerMicrometre = 1e-3;
     result.push_back({names ? std::string(table.field(row, *names)) : fmt::format("{}", row + 1),
-                      lengths[row], uncertainties[row] * kMillimetresPerMicrometre});
+                      lengths[row], millimetres_from_micrometres(uncertainties[row])});
     if (!seen.insert(result.back().name).second) {
       diagnostics.error(table.where(row, *names),
                         fmt::format("the length \"{}\" is there twice", result.back().name));

@@ -12,7 +12,7 @@ namespace {
 
 // A joint more is worse than any way of the joints that move.
 constexpr double kPerRadian = 1e-4;
-constexpr int kMostSweeps = 60;
+constexpr int kMostRounds = 60;
 
 // What it costs to read in this order when nothing moves that need not.
 class Cost {
@@ -84,8 +84,8 @@ std::vector<int> reading_order(std::span<const HalfTurn> turns, const Monitor& m
     return better;
   };
   const auto n = static_cast<std::ptrdiff_t>(order.size());
-  for (int sweep = 0; sweep < kMostSweeps; ++sweep) {
-    monitor.report("ordering the readings", static_cast<double>(sweep) / kMostSweeps);
+  for (int sweep = 0; sweep < kMostRounds; ++sweep) {
+    monitor.report("ordering the readings", static_cast<double>(sweep) / kMostRounds);
     bool moved = false;
     for (std::ptrdiff_t i = 0; i < n; ++i) {
       for (std::ptrdiff_t j = i + 1; j < n; ++j) {

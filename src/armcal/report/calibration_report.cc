@@ -10,6 +10,7 @@
 
 #include "armcal/io/arm_file.h"
 #include "armcal/io/session_file.h"
+#include "armcal/report/calibration_quality.h"
 #include "armcal/report/calibration_rows.h"
 #include "armcal/report/number_format.h"
 #include "armcal/report/shown_number.h"
@@ -187,8 +188,7 @@ std::string quality_text(const Calibration& calibration) {
     text +=
         fmt::format("  chi-squared {:.4g} with {} degrees of freedom, sigma0 {:.3f}",
                     calibration.chi_squared, calibration.degrees_of_freedom, calibration.sigma0);
-    constexpr double kTooUnlikely = 1e-3;
-    if (calibration.sigma0 > 1.0 && calibration.chi_squared_probability < kTooUnlikely) {
+    if (scatters_more_than_stated(calibration.sigma0, calibration.chi_squared_probability)) {
       text += ": the readings scatter more than stated, so all uncertainties are widened by sigma0";
     }
     text += '\n';
@@ -196,13 +196,14 @@ std::string quality_text(const Calibration& calibration) {
   if (calibration.check_coverage) {
     text += fmt::format("  predicted 95 % regions hold {:.1f} % of {} held-out rows",
                         100.0 * *calibration.check_coverage, calibration.check_count);
-    if (*calibration.check_coverage < 0.9) text += ": the model is too small for these readings";
+    if (is_model_too_small(*calibration.check_coverage))
+      text += ": the model is too small for these readings";
     text += '\n';
   }
   return text;
 }
 
-std::string unseen_text(const Calibration& calibration) {
+std::string unseen_lines(const Calibration& calibration) {
   if (calibration.unseen.empty()) return "";
   std::string text = "\nWhat the readings cannot see (held at nominal)\n";
   for (const UnseenDirection& direction : calibration.unseen) {
@@ -286,7 +287,7 @@ std::string text_result(const Calibration& calibration) {
       calibration.rank, calibration.unknowns, calibration.iterations, calibration.condition_number);
   text += groups_text(calibration) + quality_text(calibration);
   text += "\nParameters (held ones that are 0 are left out)\n" + parameters_text(calibration);
-  text += unseen_text(calibration) + flagged_text(calibration);
+  text += unseen_lines(calibration) + flagged_text(calibration);
   return text;
 }
 
@@ -321,7 +322,7 @@ std::string text_of_identifiability(const Calibration& look) {
     table.add_row({each.name, fixed(factor * each.nominal, decimals),
                    fixed(factor * each.u, decimals), unit, status});
   }
-  return text + table.text() + unseen_text(look);
+  return text + table.text() + unseen_lines(look);
 }
 
 }  // namespace armcal

@@ -17,7 +17,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-Comparison example() {
+Comparison drawn_comparison() {
   Comparison comparison{*scenario_named("romer"), 5, 3, 0.0154, {}};
   ComparisonRow good{.name = "cmm",
                      .title = "least squares",
@@ -39,7 +39,7 @@ Comparison example() {
 }
 
 TEST(ComparisonReport, HasARowForEveryMethodAndReasonsForThoseThatFailed) {
-  const std::string text = text_result(example());
+  const std::string text = text_result(drawn_comparison());
   EXPECT_THAT(text, HasSubstr("medians over 3 arms (seeds 5 to 7)"));
   EXPECT_THAT(text, HasSubstr("0.0040   0.0037  0.0080     0.0032     1.04    61/63"));
   EXPECT_THAT(text, HasSubstr("1 of 3 arms failed: out of reach"));
@@ -48,10 +48,10 @@ TEST(ComparisonReport, HasARowForEveryMethodAndReasonsForThoseThatFailed) {
 }
 
 TEST(ComparisonReport, IsATableOfAPageAndJson) {
-  EXPECT_THAT(markdown_result(example()),
+  EXPECT_THAT(markdown_result(drawn_comparison()),
               HasSubstr("| least squares | 120 | 0.0040 | 0.0037 | 0.0080 | 0.0032 | 1.04 | 61/63 "
                         "| 8 | 0.0031 s | |\n"));
-  const Json json = json_result(example());
+  const Json json = json_result(drawn_comparison());
   EXPECT_EQ(json["scenario"], "romer");
   ASSERT_EQ(json["methods"].size(), 3u);
   EXPECT_EQ(json["methods"][0]["inside"], 61);

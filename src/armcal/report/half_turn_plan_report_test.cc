@@ -17,7 +17,7 @@ namespace {
 using testing::degrees;
 using ::testing::HasSubstr;
 
-HalfTurnPlan small_plan() {
+HalfTurnPlan small_half_turn_plan() {
   HalfTurnPlan plan;
   plan.arm = testing::consistent_romer();
   plan.unknowns = {1, 2};
@@ -45,7 +45,7 @@ HalfTurnPlan small_plan() {
 }
 
 TEST(HalfTurnPlanReport, TellsAnOperatorWhatToDo) {
-  const std::string text = text_result(small_plan());
+  const std::string text = text_result(small_half_turn_plan());
   EXPECT_THAT(text, HasSubstr("rms error of a length between two random tip positions 0.0031 mm"));
   EXPECT_THAT(text, HasSubstr("h01      q1      90  -90   90   0  45"));
   EXPECT_THAT(text, HasSubstr("1742.396"));
@@ -54,16 +54,17 @@ TEST(HalfTurnPlanReport, TellsAnOperatorWhatToDo) {
 }
 
 TEST(HalfTurnPlanReport, WorksheetsHaveOneRowForEachReading) {
-  const std::string csv = worksheet_csv(small_plan());
+  const std::string csv = worksheet_csv(small_half_turn_plan());
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 3);
   EXPECT_THAT(csv, HasSubstr(",\"q4 0 -> 22.5, q5 0 -> 90\"\n"));
-  EXPECT_THAT(worksheet_markdown(small_plan()), HasSubstr("\n| h02 | q2 | 0 | 180 | -90 |"));
+  EXPECT_THAT(worksheet_markdown(small_half_turn_plan()),
+              HasSubstr("\n| h02 | q2 | 0 | 180 | -90 |"));
 }
 
 // What nothing names is no number: neither in the table nor in JSON.
 TEST(HalfTurnPlanReport, AnErrorThatIsNeverNamedIsNull) {
-  EXPECT_TRUE(json_result(small_plan())["readings"][1]["smallest_named_mm"].is_null());
-  EXPECT_EQ(text_result(small_plan()).find("inf"), std::string::npos);
+  EXPECT_TRUE(json_result(small_half_turn_plan())["readings"][1]["smallest_named_mm"].is_null());
+  EXPECT_EQ(text_result(small_half_turn_plan()).find("inf"), std::string::npos);
 }
 
 }  // namespace

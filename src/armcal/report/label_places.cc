@@ -12,12 +12,12 @@ namespace {
 
 // Where the box of a text stands about its point: the shares of its size by which its lower left
 // corner is moved, and the direction in which it is kept off.
-struct Side {
+struct LabelSide {
   double share_x, share_y, away_x, away_y;
 };
-constexpr Side kSides[] = {{0.0, 0.0, 1, -1},  {0.0, 1.0, 1, 1}, {-1.0, 0.0, -1, -1},
-                           {-1.0, 1.0, -1, 1}, {0.0, 0.5, 1, 0}, {-1.0, 0.5, -1, 0},
-                           {-0.5, 0.0, 0, -1}, {-0.5, 1.0, 0, 1}};
+constexpr LabelSide kSides[] = {{0.0, 0.0, 1, -1},  {0.0, 1.0, 1, 1}, {-1.0, 0.0, -1, -1},
+                                {-1.0, 1.0, -1, 1}, {0.0, 0.5, 1, 0}, {-1.0, 0.5, -1, 0},
+                                {-0.5, 0.0, 0, -1}, {-0.5, 1.0, 0, 1}};
 // Lines are rows of boxes this far apart.
 constexpr double kLineStep = 4.0;
 constexpr double kGaps[] = {5.0, 12.0, 22.0, 34.0};
@@ -38,7 +38,7 @@ void LabelPlaces::reserve_line(double x1, double y1, double x2, double y2) {
 
 PlacedLabel LabelPlaces::place(const std::string& text, double x, double y) {
   const double width = kLabelCharacter * static_cast<double>(display_width(text));
-  const auto box_at = [&](double gap, const Side& side) -> Box {
+  const auto box_at = [&](double gap, const LabelSide& side) -> Box {
     const double left = x + side.share_x * width + gap * side.away_x;
     const double bottom = y + side.share_y * kLabelHeight + gap * side.away_y;
     return {left, bottom - kLabelHeight, left + width, bottom};
@@ -46,7 +46,7 @@ PlacedLabel LabelPlaces::place(const std::string& text, double x, double y) {
   Box chosen = box_at(kGaps[0], kSides[0]);
   [&] {
     for (const double gap : kGaps) {
-      for (const Side& side : kSides) {
+      for (const LabelSide& side : kSides) {
         const Box box = box_at(gap, side);
         if (!is_free(box)) continue;
         chosen = box;

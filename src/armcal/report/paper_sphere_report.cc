@@ -12,7 +12,7 @@
 namespace armcal {
 namespace {
 
-std::string percent(double share) { return fmt::format("{:.1f} %", 100.0 * share); }
+std::string tenth_percent(double share) { return fmt::format("{:.1f} %", 100.0 * share); }
 
 TextTable table_of(std::span<const NeglectedEffect> effects) {
   TextTable table({{"neglected", Align::left},
@@ -30,20 +30,20 @@ TextTable table_of(std::span<const NeglectedEffect> effects) {
     const DiameterErrors& five = effect.five_articulations;
     table.add_row({effect.name, effect.brief, std::to_string(effect.arms),
                    error_cell(one.median_mm), error_cell(one.largest95_mm),
-                   percent(one.share_as_large), error_cell(five.median_mm),
-                   error_cell(five.largest95_mm), percent(five.share_as_large),
+                   tenth_percent(one.share_as_large), error_cell(five.median_mm),
+                   error_cell(five.largest95_mm), tenth_percent(five.share_as_large),
                    error_cell(five.median_form_mm)});
   }
   return table;
 }
 
-std::string what_was_done() {
+std::string what_was_drawn() {
   return fmt::format(
       "The procedure of Wang et al. 2016 and its sphere of {} mm, one neglected effect at a time",
       kPaperSphere_mm);
 }
 
-std::string how_to_read() {
+std::string how_to_read_effects() {
   return fmt::format(
       "Errors of the fitted diameter: magnitudes over drawn arms; as large: arms that err by at "
       "least {} mm, as the paper does;\nform: largest minus smallest radius (five articulations, "
@@ -51,7 +51,7 @@ std::string how_to_read() {
       -kPaperSphereError_mm);
 }
 
-Json json_of(const DiameterErrors& errors) {
+Json errors_json(const DiameterErrors& errors) {
   return {{"median_mm", errors.median_mm},
           {"largest95_mm", errors.largest95_mm},
           {"share_as_large", errors.share_as_large},
@@ -70,18 +70,18 @@ Json json_result(std::span<const NeglectedEffect> effects) {
     json["effects"].push_back({{"name", effect.name},
                                {"brief", effect.brief},
                                {"arms", effect.arms},
-                               {"one_articulation", json_of(effect.one_articulation)},
-                               {"five_articulations", json_of(effect.five_articulations)}});
+                               {"one_articulation", errors_json(effect.one_articulation)},
+                               {"five_articulations", errors_json(effect.five_articulations)}});
   }
   return json;
 }
 
 std::string text_result(std::span<const NeglectedEffect> effects) {
-  return what_was_done() + "\n\n" + table_of(effects).text() + "\n" + how_to_read();
+  return what_was_drawn() + "\n\n" + table_of(effects).text() + "\n" + how_to_read_effects();
 }
 
 std::string markdown_result(std::span<const NeglectedEffect> effects) {
-  return what_was_done() + ".\n\n" + table_of(effects).markdown() + "\n" + how_to_read();
+  return what_was_drawn() + ".\n\n" + table_of(effects).markdown() + "\n" + how_to_read_effects();
 }
 
 }  // namespace armcal

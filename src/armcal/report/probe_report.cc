@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "armcal/core/units.h"
+#include "armcal/report/calibration_quality.h"
 #include "armcal/report/calibration_report.h"
 #include "armcal/report/number_format.h"
 #include "armcal/report/text_table.h"
@@ -31,8 +32,7 @@ std::string scatter_text(const Calibration& calibration) {
                                  fixed(calibration.groups.front().fit.rms_mm, 4),
                                  fixed(calibration.groups.front().fit.max_mm, 4));
   text += fmt::format("; sigma0 {}", fixed(calibration.sigma0, 2));
-  constexpr double kTooUnlikely = 1e-3;
-  if (calibration.sigma0 > 1.0 && calibration.chi_squared_probability < kTooUnlikely)
+  if (scatters_more_than_stated(calibration.sigma0, calibration.chi_squared_probability))
     text += ": the readings scatter more than stated, so u is widened by it";
   return text + "\n";
 }

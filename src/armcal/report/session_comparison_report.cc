@@ -56,22 +56,22 @@ const char* const kHowToRead =
     "Residuals on rows of both sets, with frames, seats, spheres and planes placed on these very "
     "rows; x stated: held-out rms in\nunits of the uncertainty that the session states.\n";
 
-Json json_of(const std::optional<RowFigures>& figures) {
+Json figures_json(const std::optional<RowFigures>& figures) {
   if (!figures) return {};
   return {{"count", figures->residuals.count},
           {"rms_mm", figures->residuals.rms_mm},
           {"mean_mm", figures->residuals.mean_mm},
           {"max_mm", figures->residuals.max_mm},
-          {"over_stated", armcal::json_of(figures->over_stated)}};
+          {"over_stated", json_of(figures->over_stated)}};
 }
 
-Json json_of(const SessionComparisonRow& row) {
+Json row_json(const SessionComparisonRow& row) {
   Json json = {{"name", row.name},
                {"title", row.title},
                {"parameters", row.parameters},
-               {"condition_number", armcal::json_of(row.condition_number)},
-               {"fitted", json_of(row.fitted)},
-               {"held_out", json_of(row.held_out)},
+               {"condition_number", json_of(row.condition_number)},
+               {"fitted", figures_json(row.fitted)},
+               {"held_out", figures_json(row.held_out)},
                {"seconds", row.seconds}};
   if (!row.remark.empty()) json["remark"] = row.remark;
   if (!row.problem.empty()) json["problem"] = row.problem;
@@ -86,7 +86,7 @@ Json json_result(const SessionComparison& comparison) {
   json["fitted"] = comparison.fitted;
   json["held_out"] = comparison.held_out;
   json["methods"] = Json::array();
-  for (const SessionComparisonRow& row : comparison.rows) json["methods"].push_back(json_of(row));
+  for (const SessionComparisonRow& row : comparison.rows) json["methods"].push_back(row_json(row));
   return json;
 }
 

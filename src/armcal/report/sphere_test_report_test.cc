@@ -12,7 +12,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-SphereTest example(const SphereTestOptions& options) {
+SphereTest sphere_in_text(const SphereTestOptions& options) {
   PointReadings readings;
   for (const double sign : {-1.0, 1.0}) {
     for (int axis = 0; axis < 3; ++axis) {
@@ -24,7 +24,7 @@ SphereTest example(const SphereTestOptions& options) {
 
 TEST(SphereTestReport, JsonHasTestsAndVerdict) {
   const SphereTestOptions options{15.8754, 0.0, 0.05, {}};
-  const Json json = json_result(example(options), options);
+  const Json json = json_result(sphere_in_text(options), options);
   EXPECT_EQ(json["verdict"], "fail");
   EXPECT_EQ(json["tests"][0]["name"], "diameter error");
   EXPECT_NEAR(json["tests"][0]["value_mm"].get<double>(), -0.0609, 1e-9);
@@ -35,7 +35,7 @@ TEST(SphereTestReport, JsonHasTestsAndVerdict) {
 
 TEST(SphereTestReport, TextShowsThePapersFigure) {
   const SphereTestOptions options{15.8754, 0.0, {}, {}};
-  EXPECT_THAT(text_result(example(options), options),
+  EXPECT_THAT(text_result(sphere_in_text(options), options),
               HasSubstr("relative error of the diameter -0.3836 %"));
 }
 

@@ -14,8 +14,7 @@
 namespace armcal {
 namespace {
 
-constexpr int kWidth = 41;
-constexpr double kMonth_days = 30.0;
+constexpr int kTrendWidth = 41;
 
 // Where values lie on a line of characters.
 class Scale {
@@ -26,7 +25,7 @@ class Scale {
   }
   [[nodiscard]] std::size_t at(double value) const {
     const double share = high_ > low_ ? (value - low_) / (high_ - low_) : 0.5;
-    return static_cast<std::size_t>(std::lround(share * (kWidth - 1)));
+    return static_cast<std::size_t>(std::lround(share * (kTrendWidth - 1)));
   }
   [[nodiscard]] bool holds(double value) const { return value >= low_ && value <= high_; }
 
@@ -58,7 +57,7 @@ Scale scale_of(const CheckTrend& trend, std::size_t first) {
 }
 
 std::string line_of(const CheckTrend& trend, const Scale& scale, double value_mm, bool breaks) {
-  std::string line(kWidth, ' ');
+  std::string line(kTrendWidth, ' ');
   if (trend.limits) {
     line[scale.at(trend.limits->lower())] = ':';
     line[scale.at(trend.limits->upper())] = ':';

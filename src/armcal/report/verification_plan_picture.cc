@@ -9,11 +9,11 @@
 namespace armcal {
 namespace {
 
-constexpr double kMargin = 24.0;  // about each view
-constexpr double kTitle = 30.0;   // height of a line of titles
-constexpr double kWidth = 2.0 * kSceneSize + 3.0 * kMargin;
+constexpr double kPictureMargin = 24.0;  // about each view
+constexpr double kTitle = 30.0;          // height of a line of titles
+constexpr double kPictureWidth = 2.0 * kSceneSize + 3.0 * kPictureMargin;
 
-constexpr const char* kStyle = R"(<style>
+constexpr const char* kPictureStyle = R"(<style>
   text { font-family: sans-serif; font-size: 12px; fill: #111; }
   .title { font-size: 16px; font-weight: bold; }
   .small { font-size: 11px; fill: #555; }
@@ -101,22 +101,22 @@ std::string view(const PlanScene& scene, bool of_iso, bool from_above, double x,
 DrawnLegend legend(double y) {
   return scene_legend({"sphere", "seat", "bar, end A filled", "bar longer than the reach",
                        "shares of the reach about joint 1", "column and bench"},
-                      kMargin, y, kWidth - 2.0 * kMargin);
+                      kPictureMargin, y, kPictureWidth - 2.0 * kPictureMargin);
 }
 
 }  // namespace
 
 std::string verification_picture(const VerificationPlan& plan) {
   std::string body;
-  double y = kMargin;
+  double y = kPictureMargin;
   const auto add_standard = [&](bool of_iso, const char* title) {
     const PlanScene scene = scene_of(plan, of_iso);
-    body += scene_text(kMargin, y + 16.0, "title",
+    body += scene_text(kPictureMargin, y + 16.0, "title",
                        fmt::format("{}: {}", title, plan.arm.name.empty() ? "arm" : plan.arm.name));
     y += kTitle;
-    body += view(scene, of_iso, true, kMargin, y);
-    body += view(scene, of_iso, false, 2.0 * kMargin + kSceneSize, y);
-    y += kSceneSize + kMargin;
+    body += view(scene, of_iso, true, kPictureMargin, y);
+    body += view(scene, of_iso, false, 2.0 * kPictureMargin + kSceneSize, y);
+    y += kSceneSize + kPictureMargin;
   };
   if (plan.wishes.iso10360_12) add_standard(true, "ISO 10360-12");
   if (plan.wishes.b89_4_22) add_standard(false, "ASME B89.4.22");
@@ -126,9 +126,9 @@ std::string verification_picture(const VerificationPlan& plan) {
   return fmt::format(
              "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" "
              "width=\"{0:.0f}\" height=\"{1:.0f}\">\n",
-             kWidth, height) +
-         kStyle +
-         fmt::format("<rect class=\"paper\" width=\"{:.0f}\" height=\"{:.0f}\"/>\n", kWidth,
+             kPictureWidth, height) +
+         kPictureStyle +
+         fmt::format("<rect class=\"paper\" width=\"{:.0f}\" height=\"{:.0f}\"/>\n", kPictureWidth,
                      height) +
          body + "</svg>\n";
 }

@@ -19,7 +19,7 @@ using testing::degrees;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-VerificationPlan small_plan() {
+VerificationPlan small_verification_plan() {
   VerificationPlan plan;
   plan.arm = testing::consistent_romer();
   plan.arm.name = "arm <7> & \"8\"";
@@ -46,19 +46,19 @@ VerificationPlan small_plan() {
 }
 
 TEST(VerificationPlanReport, TellsWhereThingsGoAndWhatTheyCover) {
-  const std::string text = text_result(small_plan());
+  const std::string text = text_result(small_verification_plan());
   EXPECT_THAT(text, HasSubstr("  bars of 900 and 1750 mm\n"));
   EXPECT_THAT(text, HasSubstr("volumetric_length: one octant"));
   EXPECT_THAT(text, HasSubstr("B89.4.22 volumetric length       1  50  50"));
   EXPECT_THAT(text, HasSubstr("900.0   300.0    0.0  100.0  1200.0    0.0  100.0"));
-  const Json json = json_result(small_plan());
+  const Json json = json_result(small_verification_plan());
   EXPECT_EQ(json["tests"][0]["bars"][1]["end_B_mm"][0], 875.0);
   EXPECT_EQ(json["tests"][0]["readings"][0]["end"], "A");
   EXPECT_FALSE(json["tests"][0]["readings"][0].contains("point"));
 }
 
 TEST(VerificationWorksheet, LeavesTheReadingsEmpty) {
-  EXPECT_EQ(worksheet_csv(small_plan()),
+  EXPECT_EQ(worksheet_csv(small_verification_plan()),
             "test,position,placement,articulation,repeat,length_mm,end,point,"
             "q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg,"
             "planned_q1_deg,planned_q2_deg,planned_q3_deg,planned_q4_deg,planned_q5_deg,"
@@ -68,14 +68,14 @@ TEST(VerificationWorksheet, LeavesTheReadingsEmpty) {
 
 TEST(VerificationWorksheet, ForPeopleShowsOnlyTheColumnsOfATest) {
   EXPECT_THAT(
-      worksheet_markdown(small_plan()),
+      worksheet_markdown(small_verification_plan()),
       HasSubstr("| placement | length_mm | end | q1 | q2 | q3 | q4 | q5 | q6 | x | y | z |\n"
                 "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n"
                 "| 1 | 900 | A | 0 | 45 | 90 | 135 | 0 | 180 | 300.0 | 0.0 | 100.0 |\n"));
 }
 
 TEST(VerificationPicture, IsDrawnToScaleAndEscapesNames) {
-  const std::string svg = verification_picture(small_plan());
+  const std::string svg = verification_picture(small_verification_plan());
   EXPECT_THAT(svg, HasSubstr("ASME B89.4.22: arm &lt;7&gt; &amp; &quot;8&quot;</text>"));
   EXPECT_THAT(svg, Not(HasSubstr("<7>")));
   EXPECT_THAT(svg, Not(HasSubstr("ISO 10360-12")));

@@ -10,17 +10,16 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "armcal/core/units.h"
 #include "armcal/report/number_format.h"
 #include "armcal/report/text_table.h"
 
 namespace armcal {
 namespace {
 
-constexpr double kMicrometresPerMillimetre = 1000.0;
-
-constexpr std::array kSources = {UncertaintySource::certificate, UncertaintySource::form,
-                                 UncertaintySource::temperature, UncertaintySource::expansion,
-                                 UncertaintySource::repeatability};
+constexpr std::array kBudgetSources = {UncertaintySource::certificate, UncertaintySource::form,
+                                       UncertaintySource::temperature, UncertaintySource::expansion,
+                                       UncertaintySource::repeatability};
 
 // A seat is no artefact: where nothing is known to be uncertain, nothing is claimed to be exact.
 std::string uncertainty_cell(const std::optional<double>& U_mm) {
@@ -142,12 +141,12 @@ std::string source_cell(const TestUncertainty& budget, UncertaintySource source)
     any = true;
     sum_of_squares += contribution.u_mm() * contribution.u_mm();
   }
-  return any ? fixed(std::sqrt(sum_of_squares) * kMicrometresPerMillimetre, 2) : "-";
+  return any ? fixed(micrometres_from_millimetres(std::sqrt(sum_of_squares)), 2) : "-";
 }
 
 std::string budgets_text(const Verification& verification) {
   std::vector<TextTable::Column> columns = {{"test", Align::left}, {"of", Align::left}};
-  for (const UncertaintySource source : kSources) {
+  for (const UncertaintySource source : kBudgetSources) {
     columns.push_back({std::string(to_string(source))});
   }
   columns.insert(columns.end(), {{"u"}, {"U"}});
@@ -156,10 +155,10 @@ std::string budgets_text(const Verification& verification) {
     for (const TestBudget& budget : statistic.budgets) {
       if (budget.uncertainty.contributions.empty()) continue;
       std::vector<std::string> cells = {statistic.title, budget.of};
-      for (const UncertaintySource source : kSources) {
+      for (const UncertaintySource source : kBudgetSources) {
         cells.push_back(source_cell(budget.uncertainty, source));
       }
-      const double u_um = budget.uncertainty.combined_mm() * kMicrometresPerMillimetre;
+      const double u_um = micrometres_from_millimetres(budget.uncertainty.combined_mm());
       cells.insert(cells.end(), {fixed(u_um, 2), fixed(verification.coverage_factor * u_um, 2)});
       table.add_row(std::move(cells));
     }

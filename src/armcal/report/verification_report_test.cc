@@ -30,7 +30,7 @@ Judged length_error(double error_mm) {
                {});
 }
 
-Verification example() {
+Verification verification_in_text() {
   TestBudget budget{"1000.0000 mm", {}};
   budget.uncertainty.contributions = {
       {.name = "certificate", .source = UncertaintySource::certificate, .u = 0.003},
@@ -45,7 +45,7 @@ Verification example() {
 }
 
 TEST(VerificationReport, TextNamesValueLimitUncertaintyAndReading) {
-  const std::string text = text_result(example());
+  const std::string text = text_result(verification_in_text());
   EXPECT_THAT(text, HasSubstr("Verification of arm 123 to ISO 10360-12:2016: fail"));
   EXPECT_THAT(text, HasSubstr("length error  E_Uni     0.0800  0.0400  0.0100     fail"));
   EXPECT_THAT(text, HasSubstr("length error: 1000 mm at P1 (from bar.csv:7), limit 40 um"));
@@ -56,7 +56,7 @@ TEST(VerificationReport, TextNamesValueLimitUncertaintyAndReading) {
 
 // As left counts, and stands beside as found.
 TEST(VerificationReport, SetsAsFoundBesideAsLeft) {
-  Verification verification = example();
+  Verification verification = verification_in_text();
   verification.as_left_file = "left.arm.toml";
   verification.statistics.front().as_left = length_error(0.020);
   EXPECT_EQ(verification.verdict(), Verdict::pass);
@@ -74,7 +74,7 @@ TEST(VerificationReport, SetsAsFoundBesideAsLeft) {
 }
 
 TEST(VerificationReport, JsonHasWhatProgramsRelyOn) {
-  const Json json = json_result(example());
+  const Json json = json_result(verification_in_text());
   EXPECT_EQ(json["verdict"], "fail");
   const Json& test = json["tests"][0];
   EXPECT_EQ(test["name"], "length error");
@@ -91,7 +91,7 @@ TEST(VerificationReport, JsonHasWhatProgramsRelyOn) {
 }
 
 TEST(VerificationReport, SaysWhatAnIncompleteTestLacksAndGivesNoSymbol) {
-  Verification verification = example();
+  Verification verification = verification_in_text();
   Judged& judged = verification.statistics.front().as_found;
   judged.result.symbol.clear();
   judged.result.missing = {"1 position, 7 are asked for"};

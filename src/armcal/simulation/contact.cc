@@ -10,7 +10,7 @@
 namespace armcal {
 namespace {
 
-constexpr int kAttempts = 200;
+constexpr int kContactAttempts = 200;
 
 // A wrist behind the surface that is touched would hold a stylus that passes through it.
 bool stands_on_free_side(const ForwardKinematics& kinematics, const Eigen::VectorXd& posture,
@@ -29,7 +29,7 @@ Circumstances now(const Laboratory& laboratory, const Feature& feature) {
 
 TakenReading take_on(Laboratory& laboratory, const Feature& feature, const std::string& what) {
   const ForwardKinematics kinematics(laboratory.arm().truth());
-  for (int i = 0; i < kAttempts; ++i) {
+  for (int i = 0; i < kContactAttempts; ++i) {
     const Eigen::VectorXd posture =
         laboratory.postures_with_tip_at(feature.at_mm, 1, what, now(laboratory, feature)).front();
     if (!stands_on_free_side(kinematics, posture, feature)) continue;

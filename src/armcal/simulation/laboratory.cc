@@ -19,10 +19,10 @@ namespace {
 constexpr std::uint64_t kFirstStream = 1000;
 constexpr std::uint64_t kStreamsPerMeasurement = 4;
 
-constexpr int kAttempts = 2000;
+constexpr int kPostureAttempts = 2000;
 constexpr int kFruitlessAttempts = 200;  // without any posture: the point is out of reach
 constexpr int kCandidatesPerPosture = 3;
-constexpr int kPlaces = 500;
+constexpr int kThingPlaces = 500;
 
 std::uint64_t stream(int measurement, std::uint64_t purpose) {
   ARMCAL_INVARIANT(measurement >= 0);
@@ -54,7 +54,7 @@ Eigen::VectorXd Laboratory::free_posture() {
   const auto& joints = arm_.truth().joints;
   Eigen::VectorXd posture(arm_.truth().joint_count());
   std::string reason;
-  for (int attempt = 0; attempt < kAttempts; ++attempt) {
+  for (int attempt = 0; attempt < kPostureAttempts; ++attempt) {
     for (std::size_t i = 0; i < joints.size(); ++i) {
       const auto [low, high] = range_in_use(joints[i]);
       posture(static_cast<Eigen::Index>(i)) = random().uniform(low, high);
@@ -63,8 +63,8 @@ Eigen::VectorXd Laboratory::free_posture() {
     if (!obstacle) return posture;
     reason = *obstacle;
   }
-  throw Impossible(fmt::format("none of {} random postures of arm \"{}\" is free: {}", kAttempts,
-                               arm_.truth().name, reason));
+  throw Impossible(fmt::format("none of {} random postures of arm \"{}\" is free: {}",
+                               kPostureAttempts, arm_.truth().name, reason));
 }
 
 std::vector<Eigen::VectorXd> Laboratory::postures_with_tip_at(const Eigen::Vector3d& point_mm,
@@ -73,7 +73,7 @@ std::vector<Eigen::VectorXd> Laboratory::postures_with_tip_at(const Eigen::Vecto
   const auto wanted = static_cast<std::size_t>(count);
   const std::size_t candidates = count > 1 ? kCandidatesPerPosture * wanted : wanted;
   std::vector<Eigen::VectorXd> found;
-  const int attempts = std::max(kAttempts, 4 * kCandidatesPerPosture * count);
+  const int attempts = std::max(kPostureAttempts, 4 * kCandidatesPerPosture * count);
   for (int i = 0; i < attempts && found.size() < candidates; ++i) {
     if (found.empty() && i == kFruitlessAttempts) break;
     auto posture = arm_.posture_with_tip_at(point_mm, free_posture(), circumstances);
@@ -113,7 +113,7 @@ bool Laboratory::reaches(const Eigen::Vector3d& point_mm) {
 Eigen::Vector3d Laboratory::convenient_point() { return convenient_place(0.0).translation_mm; }
 
 RigidTransform Laboratory::convenient_place(double size_mm) {
-  for (int i = 0; i < kPlaces; ++i) {
+  for (int i = 0; i < kThingPlaces; ++i) {
     Eigen::Vector3d turn;
     for (double& component : turn) component = random().normal();
     // Where the middle of two postures is, the arm reaches in many ways.
@@ -132,7 +132,7 @@ RigidTransform Laboratory::convenient_place(double size_mm) {
   throw Impossible(
       fmt::format("none of {} random places has room for something of {:.1f} mm that arm \"{}\" "
                   "reaches all over",
-                  kPlaces, size_mm, arm_.truth().name));
+                  kThingPlaces, size_mm, arm_.truth().name));
 }
 
 Eigen::Vector3d Laboratory::noise(double u_mm) {

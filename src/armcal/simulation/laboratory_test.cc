@@ -19,7 +19,7 @@ using Eigen::VectorXd;
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
 
-constexpr std::uint64_t kSeed = 3;
+constexpr std::uint64_t kLaboratorySeed = 3;
 
 // An arm on a bench, about a column, with stops at every joint but one.
 ArmModel stopped_arm() {
@@ -35,7 +35,7 @@ ArmModel stopped_arm() {
 const Surroundings kRoom{.column_radius_mm = 60.0, .column_top_mm = 0.0, .bench_mm = -300.0};
 
 Laboratory laboratory(const ErrorSources& errors = {}, const ArmModel& arm = stopped_arm()) {
-  return {VirtualArm(arm, errors, kSeed, kRoom), kSeed};
+  return {VirtualArm(arm, errors, kLaboratorySeed, kRoom), kLaboratorySeed};
 }
 
 // All numbers of a small measurement: a few seats, a few free points.
@@ -145,7 +145,8 @@ TEST(Laboratory, SaysWhatCannotBeReached) {
 }
 
 TEST(Laboratory, SaysWhenNoPostureIsFree) {
-  Laboratory room(VirtualArm(stopped_arm(), {}, kSeed, {.bench_mm = 5000.0}), kSeed);
+  Laboratory room(VirtualArm(stopped_arm(), {}, kLaboratorySeed, {.bench_mm = 5000.0}),
+                  kLaboratorySeed);
   EXPECT_THAT([&] { (void)room.free_posture(); },
               ThrowsMessage<Impossible>(HasSubstr("none of 2000 random postures of arm \"ROMER "
                                                   "Infinite 2.0\" is free: ")));

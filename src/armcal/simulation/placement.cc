@@ -11,7 +11,7 @@
 namespace armcal {
 namespace {
 
-constexpr int kPlaces = 300;
+constexpr int kPlacesToTry = 300;
 constexpr double kBodyStep_mm = 20.0;
 
 // What is wrong with a place, and how much of it was found to be right before.
@@ -84,14 +84,14 @@ std::vector<Eigen::Vector3d> plate_body(double size_x_mm, double size_y_mm) {
 
 RigidTransform place_within_reach(Laboratory& laboratory, const Solid& solid) {
   std::optional<Fault> least;
-  for (int i = 0; i < kPlaces; ++i) {
+  for (int i = 0; i < kPlacesToTry; ++i) {
     const RigidTransform base_from_solid = any_place(laboratory, solid);
     auto fault = fault_of(laboratory, solid, base_from_solid);
     if (!fault) return base_from_solid;
     if (!least || fault->right > least->right) least = std::move(fault);
   }
   throw Impossible(fmt::format("{} does not fit within reach: even in the best of {} places {}",
-                               solid.name, kPlaces, least->reason));
+                               solid.name, kPlacesToTry, least->reason));
 }
 
 Feature placed(const RigidTransform& base_from_solid, const Feature& feature) {

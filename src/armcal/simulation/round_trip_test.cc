@@ -30,18 +30,18 @@ ArmModel nominal_arm(int joints) {
   return joints == 6 ? testing::nominal_romer() : seven_joint_arm();
 }
 
-struct Method {
+struct Trip {
   const char* name;
   Groups (*measure)(Laboratory&);
 };
 
-Groups both(Groups one, const Groups& other) {
+Groups together(Groups one, const Groups& other) {
   one.insert(one.end(), other.begin(), other.end());
   return one;
 }
 
 // Small ones: the sanitizers are to finish too.
-const Method kMethods[] = {
+const Trip kTrips[] = {
     {"reference_cmm", [](Laboratory& l) { return measure(l, ReferenceCmm{.u_mm = 0.0}); }},
     {"laser_tracker",
      [](Laboratory& l) {
@@ -54,13 +54,13 @@ const Method kMethods[] = {
     {"half_turns", [](Laboratory& l) { return measure(l, HalfTurns{.count = 60, .u_mm = 0.0}); }},
     {"half_turns_and_circles",
      [](Laboratory& l) {
-       return both(measure(l, HalfTurns{.count = 30, .u_mm = 0.0}),
-                   measure(l, CircleRadii{.count = 30, .u_mm = 0.0}));
+       return together(measure(l, HalfTurns{.count = 30, .u_mm = 0.0}),
+                       measure(l, CircleRadii{.count = 30, .u_mm = 0.0}));
      }},
     {"cones_and_two_seats",
      [](Laboratory& l) {
-       return both(measure(l, ConeSeat{.seats = 2, .postures = 20, .u_mm = 0.0}),
-                   measure(l, TwoSeats{.u_length_mm = 0.0, .postures = 20, .u_mm = 0.0}));
+       return together(measure(l, ConeSeat{.seats = 2, .postures = 20, .u_mm = 0.0}),
+                       measure(l, TwoSeats{.u_length_mm = 0.0, .postures = 20, .u_mm = 0.0}));
      }},
     {"two_seats",
      [](Laboratory& l) { return measure(l, TwoSeats{.u_length_mm = 0.0, .u_mm = 0.0}); }},
@@ -86,13 +86,14 @@ const Method kMethods[] = {
      }},
     {"unknown_sphere_and_two_seats",
      [](Laboratory& l) {
-       return both(measure(l, CalibratedSphere{.placements = 1, .u_mm = 0.0, .is_known = false}),
-                   measure(l, TwoSeats{.u_length_mm = 0.0, .postures = 20, .u_mm = 0.0}));
+       return together(
+           measure(l, CalibratedSphere{.placements = 1, .u_mm = 0.0, .is_known = false}),
+           measure(l, TwoSeats{.u_length_mm = 0.0, .postures = 20, .u_mm = 0.0}));
      }},
     {"plane_and_two_seats",
      [](Laboratory& l) {
-       return both(measure(l, FlatSurface{.placements = 1, .u_mm = 0.0}),
-                   measure(l, TwoSeats{.u_length_mm = 0.0, .postures = 20, .u_mm = 0.0}));
+       return together(measure(l, FlatSurface{.placements = 1, .u_mm = 0.0}),
+                       measure(l, TwoSeats{.u_length_mm = 0.0, .postures = 20, .u_mm = 0.0}));
      }},
 };
 
@@ -134,7 +135,7 @@ void expect_same(const Calibration& calibration, const ArmModel& truth) {
   }
 }
 
-class RoundTrip : public ::testing::TestWithParam<std::tuple<int, Method>> {};
+class RoundTrip : public ::testing::TestWithParam<std::tuple<int, Trip>> {};
 
 TEST_P(RoundTrip, FindsTheTruth) {
   const auto& [joints, method] = GetParam();
@@ -147,7 +148,7 @@ TEST_P(RoundTrip, FindsTheTruth) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, RoundTrip,
-                         ::testing::Combine(::testing::Values(6, 7), ::testing::ValuesIn(kMethods)),
+                         ::testing::Combine(::testing::Values(6, 7), ::testing::ValuesIn(kTrips)),
                          [](const auto& each) {
                            return std::string(std::get<1>(each.param).name) + "_" +
                                   std::to_string(std::get<0>(each.param)) + "_joints";

@@ -19,7 +19,7 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 using std::numbers::pi;
 
-constexpr std::uint64_t kSeed = 20;
+constexpr std::uint64_t kArmSeed = 20;
 
 VectorXd posture(int joint_count, RandomStream& random) {
   const std::vector<double> angles = testing::random_posture(joint_count, random);
@@ -36,14 +36,14 @@ Circumstances rough() {
 VirtualArm arm_with(const ErrorSource& source) {
   ErrorSources errors;
   source.switch_on(errors);
-  return {testing::consistent_romer(), errors, kSeed};
+  return {testing::consistent_romer(), errors, kArmSeed};
 }
 
 TEST(VirtualArm, WithoutErrorsIsItsDrawing) {
   RandomStream random(1);
   for (int joints = 3; joints <= 8; ++joints) {
     const ArmModel drawing = testing::random_arm(joints, random);
-    const VirtualArm arm(drawing, {}, kSeed);
+    const VirtualArm arm(drawing, {}, kArmSeed);
     EXPECT_EQ(parameter_values(arm.truth()), parameter_values(drawing));
     const VectorXd e = posture(joints, random);
     const Vector3d tip = ForwardKinematics(drawing).tip_in_base(as_span(e));
@@ -67,8 +67,8 @@ TEST(VirtualArm, ErrorsOfNoSizeChangeNoDigit) {
   zero.base_movement.load_kg = 5.0;
   zero.warm_up_drift.time_constant_s = 100.0;
   zero.blunders.share = 0.5;
-  const VirtualArm plain(testing::consistent_romer(), {}, kSeed);
-  const VirtualArm same(testing::consistent_romer(), zero, kSeed);
+  const VirtualArm plain(testing::consistent_romer(), {}, kArmSeed);
+  const VirtualArm same(testing::consistent_romer(), zero, kArmSeed);
   RandomStream random(2);
   for (int i = 0; i < 20; ++i) {
     const VectorXd e = posture(6, random);
@@ -78,9 +78,9 @@ TEST(VirtualArm, ErrorsOfNoSizeChangeNoDigit) {
 
 TEST(VirtualArm, IsTheSameForTheSameSeed) {
   const ErrorSources errors = ErrorSources::typical();
-  const VirtualArm one(testing::consistent_romer(), errors, kSeed);
-  const VirtualArm same(testing::consistent_romer(), errors, kSeed);
-  const VirtualArm other(testing::consistent_romer(), errors, kSeed + 1);
+  const VirtualArm one(testing::consistent_romer(), errors, kArmSeed);
+  const VirtualArm same(testing::consistent_romer(), errors, kArmSeed);
+  const VirtualArm other(testing::consistent_romer(), errors, kArmSeed + 1);
   RandomStream random(3);
   const VectorXd e = posture(6, random);
   EXPECT_EQ(one.tip(e, rough()), same.tip(e, rough()));
@@ -90,8 +90,8 @@ TEST(VirtualArm, IsTheSameForTheSameSeed) {
 TEST(VirtualArm, SourcesAddUp) {
   // Each source draws from its own stream and moves the tip by its own amount, whatever else is on:
   // all together are the sum, but for products of small numbers.
-  const VirtualArm plain(testing::consistent_romer(), {}, kSeed);
-  const VirtualArm full(testing::consistent_romer(), ErrorSources::typical(), kSeed);
+  const VirtualArm plain(testing::consistent_romer(), {}, kArmSeed);
+  const VirtualArm full(testing::consistent_romer(), ErrorSources::typical(), kArmSeed);
   RandomStream random(4);
   for (int i = 0; i < 10; ++i) {
     const VectorXd e = posture(6, random);
@@ -115,9 +115,9 @@ TEST(VirtualArm, TwiceTheSizeIsTwiceTheSameErrors) {
   twice.scale_eccentricity.u_first_rad = 2e-6;
   twice.bearing_run_out.u_tilt_rad = 2e-6;
   twice.warm_up_drift.u_zero_rad = 2e-6;
-  const VirtualArm plain(testing::consistent_romer(), {}, kSeed);
-  const VirtualArm one(testing::consistent_romer(), single, kSeed);
-  const VirtualArm two(testing::consistent_romer(), twice, kSeed);
+  const VirtualArm plain(testing::consistent_romer(), {}, kArmSeed);
+  const VirtualArm one(testing::consistent_romer(), single, kArmSeed);
+  const VirtualArm two(testing::consistent_romer(), twice, kArmSeed);
   RandomStream random(6);
   const VectorXd e = posture(6, random);
   const Vector3d off = one.tip(e, rough()) - plain.tip(e, rough());
@@ -127,7 +127,7 @@ TEST(VirtualArm, TwiceTheSizeIsTwiceTheSameErrors) {
 TEST(VirtualArm, EccentricScalesAreGeometryToBeFound) {
   ErrorSources errors;
   errors.scale_eccentricity = ScaleEccentricity::typical();
-  const VirtualArm arm(testing::nominal_romer(), testing::consistent_romer(), errors, kSeed);
+  const VirtualArm arm(testing::nominal_romer(), testing::consistent_romer(), errors, kArmSeed);
   EXPECT_EQ(arm.truth().joints[0].harmonics.size(), 2U);
   EXPECT_EQ(arm.truth().links[1].b_mm, testing::consistent_romer().links[1].b_mm);
   RandomStream random(7);
@@ -139,7 +139,7 @@ TEST(VirtualArm, EccentricScalesAreGeometryToBeFound) {
 TEST(VirtualArm, PutsItsRealTipOnAPoint) {
   RandomStream random(8);
   for (int joints = 4; joints <= 8; ++joints) {
-    const VirtualArm arm(testing::random_arm(joints, random), ErrorSources::typical(), kSeed);
+    const VirtualArm arm(testing::random_arm(joints, random), ErrorSources::typical(), kArmSeed);
     int found = 0;
     for (int i = 0; i < 10; ++i) {
       const Vector3d point = arm.tip(posture(joints, random), rough());
@@ -160,7 +160,7 @@ TEST(VirtualArm, KeepsPosturesInsideItsLimitsAndOutOfTheBench) {
   }
   drawing.joints[4].min_rad = -HUGE_VAL;
   drawing.joints[4].max_rad = HUGE_VAL;
-  const VirtualArm arm(drawing, ErrorSources::typical(), kSeed,
+  const VirtualArm arm(drawing, ErrorSources::typical(), kArmSeed,
                        {.column_radius_mm = 60.0, .bench_mm = -300.0});
   RandomStream random(9);
   int found = 0;
@@ -178,7 +178,7 @@ TEST(VirtualArm, KeepsPosturesInsideItsLimitsAndOutOfTheBench) {
 TEST(VirtualArm, SaysWhatIsInTheWay) {
   ArmModel drawing = testing::consistent_romer();
   drawing.joints[3].max_rad = 1.0;
-  const VirtualArm arm(drawing, {}, kSeed, {.bench_mm = 0.0});
+  const VirtualArm arm(drawing, {}, kArmSeed, {.bench_mm = 0.0});
   VectorXd e = VectorXd::Zero(6);
   e(3) = 1.2;
   EXPECT_EQ(arm.obstacle(e), "joint 4 at 68.8 deg is beyond its limit of 57.3 deg");

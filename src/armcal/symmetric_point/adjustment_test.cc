@@ -12,21 +12,13 @@
 #include "armcal/symmetric_point/reading_model.h"
 #include "armcal/testing/random_arms.h"
 #include "armcal/testing/wang2016_arm.h"
+#include "armcal/testing/wang2016_unknowns.h"
 
 namespace armcal {
 namespace {
 
 using ::testing::HasSubstr;
 using ::testing::UnorderedElementsAre;
-
-AdjustmentOptions papers_five() {
-  const ParameterTable table(testing::nominal_romer());
-  AdjustmentOptions options;
-  for (const char* name : {"a5", "a7", "b3", "b5", "b7"}) {
-    options.unknowns.push_back(table.find(name).value());
-  }
-  return options;
-}
 
 double value_of(const Adjustment& adjustment, const std::string& name) {
   const ParameterTable table(adjustment.arm);
@@ -69,7 +61,7 @@ ArmModel true_romer(RandomStream& random) {
 
 TEST(Adjustment, GivesThePapersArmInTheConsistentChain) {
   const Adjustment adjustment =
-      adjust(testing::nominal_romer(), testing::wang2016_readings(104.700), papers_five());
+      adjust(testing::nominal_romer(), testing::wang2016_readings(104.700), testing::papers_five());
   ASSERT_TRUE(adjustment.ok());
   EXPECT_NEAR(value_of(adjustment, "a5"), 78.312, 0.001);
   EXPECT_NEAR(value_of(adjustment, "a7"), -25.962, 0.001);
@@ -82,7 +74,7 @@ TEST(Adjustment, GivesThePapersArmInTheConsistentChain) {
 
 TEST(Adjustment, TellsThatNothingChecksThreeOfTheReadings) {
   const Adjustment adjustment =
-      adjust(testing::nominal_romer(), testing::wang2016_readings(104.070), papers_five());
+      adjust(testing::nominal_romer(), testing::wang2016_readings(104.070), testing::papers_five());
   ASSERT_TRUE(adjustment.ok());
   // The misprint of l_PP3 goes whole into a5 and b3, and no test sees it.
   EXPECT_FALSE(adjustment.has_flagged());
@@ -107,7 +99,7 @@ TEST(Adjustment, AWrongRFailsTheOneCheckAndCannotBeToldFromItsPartners) {
   for (const double error : {0.1, -0.1}) {
     const Adjustment adjustment =
         adjust(testing::nominal_romer(), testing::wang2016_readings(104.700, 178.383 + error),
-               papers_five());
+               testing::papers_five());
     ASSERT_TRUE(adjustment.ok());
     std::set<std::string> flagged;
     for (const AdjustedReading& reading : adjustment.readings) {
@@ -127,7 +119,7 @@ TEST(Adjustment, UsesEachReadingOnceAndWeighsIt) {
   readings.push_back(
       testing::reversal("again", 5, testing::degrees({0, 0, 0, 0, 0, -90}), 352.988, "", 0.03));
   readings.erase(readings.begin() + 5);  // without R
-  const Adjustment adjustment = adjust(testing::nominal_romer(), readings, papers_five());
+  const Adjustment adjustment = adjust(testing::nominal_romer(), readings, testing::papers_five());
   ASSERT_TRUE(adjustment.ok());
   const double weight = 1.0 / (0.003 * 0.003);
   const double other = 1.0 / (0.03 * 0.03);
@@ -188,7 +180,7 @@ TEST(Adjustment, CovarianceIsWhatSimulationShows) {
   RandomStream random(43);
   const ArmModel truth = testing::consistent_romer();
   auto readings = testing::wang2016_readings();
-  const AdjustmentOptions options = papers_five();
+  const AdjustmentOptions options = testing::papers_five();
   double distance = 0.0;
   double chi_squared = 0.0;
   const int trials = 1000;
@@ -233,7 +225,7 @@ TEST(Adjustment, SmallestDetectableErrorIsDetectedWithTheStatedPower) {
   RandomStream random(45);
   const ArmModel truth = testing::consistent_romer();
   auto readings = testing::wang2016_readings();
-  const AdjustmentOptions options = papers_five();
+  const AdjustmentOptions options = testing::papers_five();
   for (SymmetricReading& reading : readings) reading.value = predict(truth, reading).value;
   const double error = adjust(truth, readings, options).readings[5].smallest_detectable.value();
   int detected = 0;
@@ -248,7 +240,7 @@ TEST(Adjustment, SmallestDetectableErrorIsDetectedWithTheStatedPower) {
 }
 
 TEST(Adjustment, SaysWhatTheReadingsCannotTellApart) {
-  AdjustmentOptions options = papers_five();
+  AdjustmentOptions options = testing::papers_five();
   const ParameterTable table(testing::nominal_romer());
   options.unknowns.push_back(table.find("zero6").value());
   options.unknowns.push_back(table.find("d2").value());
@@ -262,7 +254,7 @@ TEST(Adjustment, SaysWhatTheReadingsCannotTellApart) {
 
 TEST(Adjustment, EndsWithAReason) {
   const ArmModel nominal = testing::nominal_romer();
-  EXPECT_EQ(adjust(nominal, {}, papers_five()).status, AdjustmentStatus::no_readings);
+  EXPECT_EQ(adjust(nominal, {}, testing::papers_five()).status, AdjustmentStatus::no_readings);
   const ParameterTable table(nominal);
   EXPECT_EQ(
       adjust(nominal, testing::wang2016_readings(), {.unknowns = {table.find("zero1").value()}})
@@ -270,7 +262,8 @@ TEST(Adjustment, EndsWithAReason) {
       AdjustmentStatus::nothing_determined);
   ArmModel tipless = nominal;
   tipless.tip = Tip{.d_mm = 10.0};
-  const Adjustment undefined = adjust(tipless, testing::wang2016_readings(), papers_five());
+  const Adjustment undefined =
+      adjust(tipless, testing::wang2016_readings(), testing::papers_five());
   EXPECT_EQ(undefined.status, AdjustmentStatus::not_defined);
   EXPECT_EQ(undefined.detail, "R");
 }

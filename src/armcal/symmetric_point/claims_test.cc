@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "armcal/testing/wang2016_arm.h"
+#include "armcal/testing/wang2016_unknowns.h"
 
 namespace armcal {
 namespace {
@@ -13,19 +14,10 @@ namespace {
 using ::testing::Contains;
 using ::testing::ElementsAre;
 
-AdjustmentOptions papers_five() {
-  const ParameterTable table(testing::nominal_romer());
-  AdjustmentOptions options;
-  for (const char* name : {"a5", "a7", "b3", "b5", "b7"}) {
-    options.unknowns.push_back(table.find(name).value());
-  }
-  return options;
-}
-
 std::vector<ClaimCheck> check(const std::vector<SymmetricReading>& readings,
                               const std::vector<Claim>& claims) {
   const ArmModel nominal = testing::nominal_romer();
-  const AdjustmentOptions options = papers_five();
+  const AdjustmentOptions options = testing::papers_five();
   return check_claims(nominal, readings, options, adjust(nominal, readings, options), claims);
 }
 

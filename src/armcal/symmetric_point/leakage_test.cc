@@ -12,16 +12,10 @@
 #include "armcal/symmetric_point/chain.h"
 #include "armcal/symmetric_point/reading_model.h"
 #include "armcal/testing/wang2016_arm.h"
+#include "armcal/testing/wang2016_unknowns.h"
 
 namespace armcal {
 namespace {
-
-std::vector<int> papers_five(const ParameterTable& table) {
-  std::vector<int> indices;
-  for (const char* name : {"a5", "a7", "b3", "b5", "b7"})
-    indices.push_back(table.find(name).value());
-  return indices;
-}
 
 double entry(const Leakage& leakage, const std::string& recovered, const std::string& assumed) {
   const auto row = std::find(leakage.recovered.begin(), leakage.recovered.end(), recovered);
@@ -105,7 +99,7 @@ void expect_first_order_prediction(const Leakage& leakage, const Recover& recove
 
 TEST(Leakage, PredictsTheErrorOfTheAdjustmentToFirstOrder) {
   const ArmModel arm = testing::consistent_romer();
-  const auto unknowns = papers_five(ParameterTable(arm));
+  const auto unknowns = testing::papers_five(ParameterTable(arm));
   auto exact = testing::wang2016_readings();
   for (SymmetricReading& reading : exact) reading.value = predict(arm, reading).value;
   expect_first_order_prediction(

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <limits>
 #include <vector>
 
 #include "armcal/core/random.h"
@@ -30,6 +32,13 @@ inline std::vector<Eigen::Vector3d> with_noise(std::vector<Eigen::Vector3d> poin
                                                RandomStream& random) {
   for (Eigen::Vector3d& p : points) p += random_normal_vector(random, sigma_mm);
   return points;
+}
+
+/// What the largest coordinate loses where it is rounded to a double.
+inline double rounding_of(const std::vector<Eigen::Vector3d>& points) {
+  double largest = 0.0;
+  for (const Eigen::Vector3d& p : points) largest = std::max(largest, p.lpNorm<Eigen::Infinity>());
+  return std::numeric_limits<double>::epsilon() * largest;
 }
 
 }  // namespace armcal::testing

@@ -27,6 +27,15 @@ kind = "lengths"
 lengths = [[200, 1], [400, 1], [600, 1], [800, 1], [1000, 1]]
 )";
 
+inline constexpr const char* kLengthTest = R"([[test]]
+kind = "length_uni"
+artefact = "bar"
+file = "lengths.csv"
+mpe_um = "20 + L/50"
+)";
+
+inline constexpr double kExact_mm = 1e-9;  ///< what files and fits of exact points lose
+
 inline std::string point_row(const std::string& fields, const Eigen::Vector3d& p) {
   return fmt::format("{},{},{},{}\n", fields, p.x(), p.y(), p.z());
 }

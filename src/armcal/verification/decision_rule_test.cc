@@ -16,9 +16,9 @@ namespace armcal {
 namespace {
 
 constexpr double kMpe = 0.030;
-constexpr ExpandedUncertainty kU{0.005, 2.0};  // U = 0.010
+constexpr ExpandedUncertainty kU10{0.005, 2.0};  // U = 0.010
 
-Verdict verdict(double error, const DecisionRule& rule, const ExpandedUncertainty& u = kU) {
+Verdict verdict(double error, const DecisionRule& rule, const ExpandedUncertainty& u = kU10) {
   return decide(error, u, ToleranceLimits::about_zero(kMpe), rule);
 }
 
@@ -43,7 +43,7 @@ TEST(DecisionRule, NothingPassesWhereTheUncertaintyExceedsTheLimit) {
 
 TEST(DecisionRule, ConformanceProbabilityIsNarrowerThanU) {
   const DecisionRule rule{.kind = DecisionKind::conformance_probability, .probability = 0.95};
-  EXPECT_NEAR(guard_band(rule, kU), 1.6448536269514722 * 0.005, 1e-15);
+  EXPECT_NEAR(guard_band(rule, kU10), 1.6448536269514722 * 0.005, 1e-15);
   EXPECT_EQ(verdict(0.0217, rule), Verdict::pass);
   EXPECT_EQ(verdict(0.0218, rule), Verdict::undecided);
   EXPECT_EQ(verdict(0.0383, rule), Verdict::fail);
@@ -62,9 +62,9 @@ TEST(DecisionRule, SimpleAcceptanceAndGuardBandsKnowNoDoubt) {
 
 TEST(DecisionRule, OneLimitIsEnough) {
   const ToleranceLimits form = ToleranceLimits::at_most(kMpe);
-  EXPECT_EQ(decide(0.001, kU, form, {}), Verdict::pass);
-  EXPECT_EQ(decide(0.025, kU, form, {}), Verdict::undecided);
-  EXPECT_EQ(decide(0.041, kU, form, {}), Verdict::fail);
+  EXPECT_EQ(decide(0.001, kU10, form, {}), Verdict::pass);
+  EXPECT_EQ(decide(0.025, kU10, form, {}), Verdict::undecided);
+  EXPECT_EQ(decide(0.041, kU10, form, {}), Verdict::fail);
   const ToleranceLimits at_least{.lower = 490.0, .upper = {}};
   EXPECT_EQ(decide(1e9, {8.6, 2.0}, at_least, {}), Verdict::pass);
   EXPECT_EQ(decide(470.0, {8.6, 2.0}, at_least, {}), Verdict::fail);

@@ -14,6 +14,9 @@ struct TimedValue {
   double value_mm = 0.0;
 };
 
+/// Over which drifts are told.
+inline constexpr double kMonth_days = 30.0;
+
 /// Straight line through a history.
 struct Drift {
   std::size_t count = 0;

@@ -12,7 +12,7 @@ namespace armcal {
 namespace {
 
 using Mpe = MaximumPermissibleError;
-constexpr ExpandedUncertainty kU{0.001, 2.0};
+constexpr ExpandedUncertainty kSmallU{0.001, 2.0};
 
 TestResult result_with(double value_mm, bool is_signed = true) {
   TestResult result;
@@ -31,7 +31,7 @@ TestResult two_lengths() {
 }
 
 TEST(Judgement, HoldsTheValueAgainstItsLimit) {
-  const Judged judged = judge(result_with(-0.010), Mpe::constant(0.030), kU, {});
+  const Judged judged = judge(result_with(-0.010), Mpe::constant(0.030), kSmallU, {});
   EXPECT_EQ(judged.verdict, Verdict::pass);
   EXPECT_EQ(judged.value_mm, -0.010);
   EXPECT_EQ(judged.mpe_mm, 0.030);
@@ -39,7 +39,7 @@ TEST(Judgement, HoldsTheValueAgainstItsLimit) {
   EXPECT_NEAR(judged.share_of_mpe.value(), 1.0 / 3.0, 1e-15);
   EXPECT_GT(judged.conformance_probability.value(), 0.999);
   EXPECT_FALSE(judged.deciding_part.has_value());
-  EXPECT_EQ(judge(result_with(-0.033), Mpe::constant(0.030), kU, {}).verdict, Verdict::fail);
+  EXPECT_EQ(judge(result_with(-0.033), Mpe::constant(0.030), kSmallU, {}).verdict, Verdict::fail);
 }
 
 TEST(Judgement, WhatCannotBeNegativeHasOneLimit) {
@@ -53,14 +53,14 @@ TEST(Judgement, WhatCannotBeNegativeHasOneLimit) {
 
 TEST(Judgement, EveryLengthHasItsOwnLimit) {
   // 20 um + L/50: 60 um at 2 m, 22 um at 100 mm. The smaller error is the one that fails.
-  const Judged judged = judge(two_lengths(), Mpe::linear(0.020, 50.0), kU, {});
+  const Judged judged = judge(two_lengths(), Mpe::linear(0.020, 50.0), kSmallU, {});
   EXPECT_EQ(judged.verdict, Verdict::fail);
   EXPECT_EQ(judged.deciding_part, 1u);
   EXPECT_EQ(judged.value_mm, -0.025);
   EXPECT_NEAR(judged.mpe_mm.value(), 0.022, 1e-15);
   EXPECT_EQ(judged.result.value_mm, 0.030);
   // With one limit for all it is the larger.
-  EXPECT_EQ(judge(two_lengths(), Mpe::constant(0.040), kU, {}).deciding_part, 0u);
+  EXPECT_EQ(judge(two_lengths(), Mpe::constant(0.040), kSmallU, {}).deciding_part, 0u);
 }
 
 TEST(Judgement, EveryLengthMayHaveItsOwnUncertainty) {
@@ -72,19 +72,19 @@ TEST(Judgement, EveryLengthMayHaveItsOwnUncertainty) {
 }
 
 TEST(Judgement, WithoutLimitOrValueThereIsNone) {
-  const Judged unlimited = judge(result_with(0.010), {}, kU, {});
+  const Judged unlimited = judge(result_with(0.010), {}, kSmallU, {});
   EXPECT_EQ(unlimited.verdict, Verdict::not_judged);
   EXPECT_EQ(unlimited.value_mm, 0.010);
   EXPECT_EQ(unlimited.U_mm, 0.002);
   TestResult nothing;
-  EXPECT_EQ(judge(nothing, Mpe::constant(0.030), kU, {}).verdict, Verdict::not_judged);
+  EXPECT_EQ(judge(nothing, Mpe::constant(0.030), kSmallU, {}).verdict, Verdict::not_judged);
 }
 
 TEST(Judgement, RefusesWhatDoesNotFitTogether) {
-  const std::array<ExpandedUncertainty, 2> two = {kU, kU};
+  const std::array<ExpandedUncertainty, 2> two = {kSmallU, kSmallU};
   EXPECT_THROW(static_cast<void>(judge(result_with(0.0), Mpe::constant(0.03), two, {})),
                std::invalid_argument);
-  EXPECT_THROW(static_cast<void>(judge(result_with(0.0), Mpe::linear(0.03, 50.0), kU, {})),
+  EXPECT_THROW(static_cast<void>(judge(result_with(0.0), Mpe::linear(0.03, 50.0), kSmallU, {})),
                std::invalid_argument);
 }
 

@@ -8,13 +8,13 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "armcal/core/units.h"
+
 namespace armcal {
 namespace {
 
-constexpr double kMicrometresPerMillimetre = 1000.0;
-
 std::string micrometres(double mm) {
-  return fmt::format("{:.6g} um", kMicrometresPerMillimetre * mm);
+  return fmt::format("{:.6g} um", micrometres_from_millimetres(mm));
 }
 
 void check_line(double a_mm, double k) {
@@ -55,7 +55,7 @@ double MaximumPermissibleError::at(double length_mm) const {
         fmt::format("limit for a length of {} mm: lengths are not negative", length_mm));
   }
   if (!k_) return a_mm_;
-  const double sloping_mm = a_mm_ + length_mm / (kMicrometresPerMillimetre * *k_);
+  const double sloping_mm = a_mm_ + length_mm / micrometres_from_millimetres(*k_);
   return b_mm_ ? std::min(sloping_mm, *b_mm_) : sloping_mm;
 }
 

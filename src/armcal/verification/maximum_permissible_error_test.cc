@@ -41,16 +41,16 @@ TEST(MaximumPermissibleError, RefusesNonsenseInWords) {
     }
     return "nothing was thrown";
   };
-  using Mpe = MaximumPermissibleError;
-  EXPECT_EQ(message([] { return Mpe::constant(0.0); }), "limit 0 mm: must be larger than 0");
-  EXPECT_EQ(message([] { return Mpe::constant(NAN); }), "limit nan mm: must be larger than 0");
-  EXPECT_EQ(message([] { return Mpe::linear(-0.1, 50.0); }),
+  using Limit = MaximumPermissibleError;
+  EXPECT_EQ(message([] { return Limit::constant(0.0); }), "limit 0 mm: must be larger than 0");
+  EXPECT_EQ(message([] { return Limit::constant(NAN); }), "limit nan mm: must be larger than 0");
+  EXPECT_EQ(message([] { return Limit::linear(-0.1, 50.0); }),
             "limit A + L/K: A = -0.1 mm must not be negative");
-  EXPECT_EQ(message([] { return Mpe::linear(0.1, 0.0); }),
+  EXPECT_EQ(message([] { return Limit::linear(0.1, 0.0); }),
             "limit A + L/K: K = 0 must be larger than 0");
-  EXPECT_EQ(message([] { return Mpe::lesser(0.1, 50.0, 0.05); }),
+  EXPECT_EQ(message([] { return Limit::lesser(0.1, 50.0, 0.05); }),
             "limit min(A + L/K, B): B = 0.05 mm must be larger than A = 0.1 mm");
-  EXPECT_EQ(message([] { return Mpe::linear(0.1, 50.0).at(-1.0); }),
+  EXPECT_EQ(message([] { return Limit::linear(0.1, 50.0).at(-1.0); }),
             "limit for a length of -1 mm: lengths are not negative");
 }
 

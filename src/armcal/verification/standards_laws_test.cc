@@ -17,7 +17,7 @@
 namespace armcal {
 namespace {
 
-constexpr ReferenceSphere kSphere{25.0, 6.0};
+constexpr ReferenceSphere kBall{25.0, 6.0};
 
 // Sets of noisy points on spheres whose centres scatter as well.
 std::vector<SpherePoints> noisy_sets(int sets, int points, RandomStream& random) {
@@ -47,11 +47,11 @@ std::vector<SpherePoints> reversed(std::vector<SpherePoints> sets) {
 
 template <class Test>
 void expect_invariant(Test test, const std::vector<SpherePoints>& sets, RandomStream& random) {
-  const double value = test(sets, kSphere).value_mm.value();
+  const double value = test(sets, kBall).value_mm.value();
   const RigidTransform motion = testing::random_transform(random, 1000.0);
   // 1e-9 mm: rounding of coordinates of metres, in fits that magnify it by less than a hundred.
-  RC_ASSERT(std::abs(test(moved(sets, motion), kSphere).value_mm.value() - value) < 1e-9);
-  RC_ASSERT(std::abs(test(reversed(sets), kSphere).value_mm.value() - value) < 1e-9);
+  RC_ASSERT(std::abs(test(moved(sets, motion), kBall).value_mm.value() - value) < 1e-9);
+  RC_ASSERT(std::abs(test(reversed(sets), kBall).value_mm.value() - value) < 1e-9);
 }
 
 RC_GTEST_PROP(StandardsLaws, NeitherFrameNorOrderMatters, ()) {
@@ -69,9 +69,9 @@ RC_GTEST_PROP(StandardsLaws, ALargerProbeChangesTheSizeAndNothingElse, ()) {
   const auto size = [&](const ReferenceSphere& sphere) {
     return iso10360_12::probing_size(positions, sphere).value_mm.value();
   };
-  RC_ASSERT(std::abs(size(less) - size(kSphere) - 0.1) < 1e-12);
+  RC_ASSERT(std::abs(size(less) - size(kBall) - 0.1) < 1e-12);
   RC_ASSERT(iso10360_12::probing_form(positions, less).value_mm ==
-            iso10360_12::probing_form(positions, kSphere).value_mm);
+            iso10360_12::probing_form(positions, kBall).value_mm);
 }
 
 RC_GTEST_PROP(StandardsLaws, ScatterInASeatIsThatOfSpaceAndGrowsWithIt, ()) {

@@ -27,7 +27,7 @@ namespace armcal {
 namespace {
 
 constexpr double kSame_mm = 1e-9;
-constexpr ReferenceSphere kSphere{25.0, 6.0};
+constexpr ReferenceSphere kCertifiedBall{25.0, 6.0};
 using Points = std::vector<Eigen::Vector3d>;
 
 // Off by what an arm may be before it is calibrated.
@@ -116,8 +116,8 @@ TEST(StandardsOnArms, ProbingAgreesWithASecondComputation) {
     if (std::abs(size) > std::abs(worst_size)) worst_size = size;
     worst_form = std::max(worst_form, ball.form);
   }
-  const TestResult size = iso10360_12::probing_size(positions, kSphere);
-  const TestResult form = iso10360_12::probing_form(positions, kSphere);
+  const TestResult size = iso10360_12::probing_size(positions, kCertifiedBall);
+  const TestResult form = iso10360_12::probing_form(positions, kCertifiedBall);
   EXPECT_NEAR(size.value_mm.value(), worst_size, kSame_mm);
   EXPECT_NEAR(form.value_mm.value(), worst_form, kSame_mm);
   EXPECT_GT(worst_form, 0.01);  // there is something to see
@@ -134,7 +134,7 @@ TEST(StandardsOnArms, LocationAgreesWithASecondComputation) {
     articulations.push_back({std::to_string(i + 1), tips, ""});
     centers.push_back(ball_through(tips).center);
   }
-  const TestResult result = iso10360_12::articulated_location(articulations, kSphere);
+  const TestResult result = iso10360_12::articulated_location(articulations, kCertifiedBall);
   EXPECT_NEAR(result.value_mm.value(), 2.0 * testing::radius_by_all_subsets(centers), kSame_mm);
   EXPECT_GT(result.value_mm.value(), 0.01);
 }
@@ -166,7 +166,7 @@ TEST(StandardsOnArms, AnArmThatIsFarOffIsJudgedAndNotTakenForAnotherSphere) {
   const Points targets = testing::points_on_sphere(center, 31.0, 25, 0.0);
   const Points tips = seen(testing::printed_romer(), targets, 0.0, random, {1, 2, 4});
   const std::vector<SpherePoints> one = {{"1", tips, ""}};
-  const TestResult form = iso10360_12::probing_form(one, kSphere);
+  const TestResult form = iso10360_12::probing_form(one, kCertifiedBall);
   EXPECT_GT(form.value_mm.value(), 1.0);
   EXPECT_TRUE(form.problems.empty()) << form.problems.front();
 }
@@ -216,7 +216,7 @@ TEST(StandardsOnArms, TheRightArmHasNoErrors) {
               testing::points_on_sphere(place(450, 300, 350), 31.0, 9, 0.0), 0.4, random),
          ""});
   }
-  for (const TestResult& result : b89_4_22::effective_diameter(fits, kSphere)) {
+  for (const TestResult& result : b89_4_22::effective_diameter(fits, kCertifiedBall)) {
     EXPECT_NEAR(result.value_mm.value(), 0.0, 1e-8) << result.name;
   }
 }

@@ -13,8 +13,8 @@ namespace {
 using ::testing::HasSubstr;
 using testing::TemporaryFolder;
 
-std::string complaint(const std::string& first, const std::string& second,
-                      const TableOptions& options = {}) {
+std::string complaint_about_points(const std::string& first, const std::string& second,
+                                   const TableOptions& options = {}) {
   const TemporaryFolder folder;
   InputFiles files;
   try {
@@ -41,8 +41,9 @@ TEST(PointPairs, ArePairedByNameWhereBothTablesHaveNames) {
 }
 
 TEST(PointPairs, NamesThatDoNotMatchAreListed) {
-  const std::string text = complaint("point,x_mm,y_mm,z_mm\np,1,0,0\nq,2,0,0\nr,3,0,0\n",
-                                     "point,x_mm,y_mm,z_mm\np,1,0,0\np,2,0,0\ns,3,0,0\n");
+  const std::string text =
+      complaint_about_points("point,x_mm,y_mm,z_mm\np,1,0,0\nq,2,0,0\nr,3,0,0\n",
+                             "point,x_mm,y_mm,z_mm\np,1,0,0\np,2,0,0\ns,3,0,0\n");
   EXPECT_THAT(text, HasSubstr("b.csv:3: error: point \"p\" is already on line 2"));
   EXPECT_THAT(text, HasSubstr("b.csv: error: has no points q, r of "));
   EXPECT_THAT(text, HasSubstr("a.csv: error: has no point s of "));
@@ -59,7 +60,7 @@ TEST(PointPairs, OneMapServesTheFileThatHasTheColumn) {
   EXPECT_FALSE(pairs.by_name);
   EXPECT_EQ(pairs.first_mm, pairs.second_mm);
   options.map = {{"x_mm", "Xx"}};
-  EXPECT_THAT(complaint("x_mm,y_mm,z_mm\n1,2,3\n", "x_mm,y_mm,z_mm\n1,2,3\n", options),
+  EXPECT_THAT(complaint_about_points("x_mm,y_mm,z_mm\n1,2,3\n", "x_mm,y_mm,z_mm\n1,2,3\n", options),
               HasSubstr("--map x_mm=Xx: no column \"Xx\", and none in "));
 }
 

@@ -35,7 +35,7 @@ SimulationScenario read(const std::string& text) {
   return scenario.value_or(SimulationScenario{});
 }
 
-std::string complaint(const std::string& text) {
+std::string complaint_about_scenario(const std::string& text) {
   Diagnostics diagnostics;
   EXPECT_FALSE(read_scenario_file(file(kHead + text), diagnostics).has_value());
   return diagnostics.to_text();
@@ -91,9 +91,9 @@ TEST(ScenarioFile, TakesAnglesInEitherUnitButNotInBoth) {
             radians_from_degrees(0.025));
   EXPECT_EQ(read(table + "u_zero_arcsec = 90\n").errors.geometry.u_zero_rad,
             radians_from_arcseconds(90));
-  EXPECT_THAT(complaint(table + "u_zero_arcsec = 90\nu_zero_deg = 0.025\n"),
+  EXPECT_THAT(complaint_about_scenario(table + "u_zero_arcsec = 90\nu_zero_deg = 0.025\n"),
               HasSubstr("u_zero_arcsec and u_zero_deg say the same thing"));
-  EXPECT_THAT(complaint(table + "u_zero_rad = 0.1\n"),
+  EXPECT_THAT(complaint_about_scenario(table + "u_zero_rad = 0.1\n"),
               HasSubstr("error: unknown key \"u_zero_rad\"\n  help: did you mean \"u_zero_deg\"?"));
 }
 
@@ -113,7 +113,7 @@ TEST(ScenarioFile, SwitchesEverySourceOnInItsTypicalSize) {
 }
 
 TEST(ScenarioFile, TellsAllProblemsAtOnceWithTheirPlaces) {
-  const std::string text = complaint(R"(seed = 5
+  const std::string text = complaint_about_scenario(R"(seed = 5
 [errors.encoder_noise]
 u_arcsec = -2
 [errors.grvity_sag]
@@ -144,21 +144,26 @@ points = 1
 TEST(ScenarioFile, RefusesNamesThatAreNoFileNames) {
   const std::string measure = "[[measure]]\nwith = \"cone_seat\"\nname = ";
   for (const char* name : {"../x", "a b", "", ".x", "a;b", "K\\u00e4fig"}) {
-    EXPECT_THAT(complaint(measure + "\"" + name + "\"\n"), HasSubstr("is no name of a file"))
+    EXPECT_THAT(complaint_about_scenario(measure + "\"" + name + "\"\n"),
+                HasSubstr("is no name of a file"))
         << name;
   }
-  EXPECT_THAT(complaint(measure + "\"check\"\n"), HasSubstr("taken by the check rows"));
-  EXPECT_THAT(complaint(measure + "\"cmm\"\n"), HasSubstr("two measurements are named \"cmm\""));
+  EXPECT_THAT(complaint_about_scenario(measure + "\"check\"\n"),
+              HasSubstr("taken by the check rows"));
+  EXPECT_THAT(complaint_about_scenario(measure + "\"cmm\"\n"),
+              HasSubstr("two measurements are named \"cmm\""));
 }
 
 TEST(ScenarioFile, RefusesWhatDoesNotGoTogether) {
   const std::string platform = "[[measure]]\nwith = \"indexed_platform\"\n";
-  EXPECT_THAT(complaint(platform + platform + "name = \"other\"\n"),
+  EXPECT_THAT(complaint_about_scenario(platform + platform + "name = \"other\"\n"),
               HasSubstr("there is one indexed platform already"));
-  EXPECT_THAT(complaint(platform + "[[measure]]\nwith = \"symmetric_point\"\n"),
+  EXPECT_THAT(complaint_about_scenario(platform + "[[measure]]\nwith = \"symmetric_point\"\n"),
               HasSubstr("is for an arm without platform"));
-  EXPECT_THAT(complaint("[errors]\ndown = [0, 0, 0]\n"), HasSubstr("down must be 3 numbers"));
-  EXPECT_THAT(complaint("[errors.blunders]\nshare = 2\n"), HasSubstr("share is 2: must be 0 to 1"));
+  EXPECT_THAT(complaint_about_scenario("[errors]\ndown = [0, 0, 0]\n"),
+              HasSubstr("down must be 3 numbers"));
+  EXPECT_THAT(complaint_about_scenario("[errors.blunders]\nshare = 2\n"),
+              HasSubstr("share is 2: must be 0 to 1"));
 }
 
 TEST(ScenarioFile, RefusesADrawnAndAGivenTruthTogether) {

@@ -15,15 +15,6 @@ using testing::point_row;
 using testing::sphere_rows;
 using VerificationGroupsTest = testing::VerificationInFolder;
 
-constexpr double kExact_mm = 1e-9;
-
-constexpr const char* kLengths = R"([[test]]
-kind = "length_uni"
-artefact = "bar"
-file = "lengths.csv"
-mpe_um = "20 + L/50"
-)";
-
 TEST_F(VerificationGroupsTest, RefusesASphereThatMoves) {
   folder_.write("art.csv", "position,articulation,x_mm,y_mm,z_mm\n" +
                                sphere_rows("A,1", {300, 0, 0}, 15.5, 5) +
@@ -52,8 +43,8 @@ file = "ends.csv"
                                          true);
   const auto& parts = verification.statistics.front().judged().result.parts;
   ASSERT_EQ(parts.size(), 2U);
-  EXPECT_NEAR(parts[0].value_mm, 0.02, kExact_mm);
-  EXPECT_NEAR(parts[1].value_mm, -0.01, kExact_mm);
+  EXPECT_NEAR(parts[0].value_mm, 0.02, testing::kExact_mm);
+  EXPECT_NEAR(parts[1].value_mm, -0.01, testing::kExact_mm);
   EXPECT_THAT(parts[1].where, HasSubstr("ends.csv:4"));
 }
 
@@ -68,7 +59,8 @@ probe_diameter_mm = 6
   folder_.write("ends.csv", "length_mm,end,x_mm,y_mm,z_mm\n" + point_row("600,A", {100, 0, 1}) +
                                 point_row("600,B", {706.03, 0, 1}));
   const Verification verification = iso(test, true);
-  EXPECT_NEAR(verification.statistics.front().judged().result.value_mm.value(), 0.03, kExact_mm);
+  EXPECT_NEAR(verification.statistics.front().judged().result.value_mm.value(), 0.03,
+              testing::kExact_mm);
   folder_.write("ends.csv", "length_mm,end,x_mm,y_mm,z_mm\n" +
                                 sphere_rows("600,A", {100, 0, 1}, 15.5, 5) +
                                 point_row("600,B", {706.03, 0, 1}));
@@ -79,13 +71,13 @@ probe_diameter_mm = 6
 TEST_F(VerificationGroupsTest, RefusesEndsThatAreNone) {
   const std::string head = "position,length_mm,repeat,end,x_mm,y_mm,z_mm\n";
   folder_.write("lengths.csv", head + point_row("P1,600,2,A", {100, 0, 1}));
-  EXPECT_THAT(iso_complaint(kLengths, true),
+  EXPECT_THAT(iso_complaint(testing::kLengthTest, true),
               HasSubstr("lengths.csv:2: error: end B of 600.0000 mm at position P1, repeat 2: is "
                         "missing"));
   folder_.write("lengths.csv", head + point_row("P1,600,2,A", {100, 0, 1}) +
                                    point_row("P1,600,2,A", {100, 0, 1.01}) +
                                    point_row("P1,600,2,B", {700, 0, 1}));
-  EXPECT_THAT(iso_complaint(kLengths, true), HasSubstr("has 2 points"));
+  EXPECT_THAT(iso_complaint(testing::kLengthTest, true), HasSubstr("has 2 points"));
 }
 
 }  // namespace

@@ -25,7 +25,6 @@ using testing::point_row;
 using testing::sphere_rows;
 using VerificationJobTest = testing::VerificationInFolder;
 
-constexpr double kExact_mm = 1e-9;
 constexpr double kDiameter_mm = 25.0;
 constexpr double kBall_mm = 6.0;
 
@@ -48,12 +47,12 @@ TEST_F(VerificationJobTest, ReportsTheWorseOfTwoPositions) {
   ASSERT_EQ(verification.statistics.size(), 2U);
   const Judged& size = verification.statistics[0].judged();
   EXPECT_EQ(size.result.symbol, "P_Size.Sph.1x25::Tact.AArm");
-  EXPECT_NEAR(size.result.value_mm.value(), -0.020, kExact_mm);
+  EXPECT_NEAR(size.result.value_mm.value(), -0.020, testing::kExact_mm);
   EXPECT_EQ(size.verdict, Verdict::pass);
   EXPECT_NEAR(size.U_mm.value(), 0.001, 1e-12);  // of the certificate, k = 2 both times
   const Judged& form = verification.statistics[1].judged();
   EXPECT_EQ(form.result.symbol, "P_Form.Sph.1x25::Tact.AArm");
-  EXPECT_NEAR(form.result.value_mm.value(), 0.0, kExact_mm);
+  EXPECT_NEAR(form.result.value_mm.value(), 0.0, testing::kExact_mm);
   EXPECT_EQ(verification.verdict(), Verdict::pass);
 }
 
@@ -93,19 +92,12 @@ std::string measured_rows(int positions, double scale) {
   return rows;
 }
 
-constexpr const char* kLengths = R"([[test]]
-kind = "length_uni"
-artefact = "bar"
-file = "lengths.csv"
-mpe_um = "20 + L/50"
-)";
-
 TEST_F(VerificationJobTest, JudgesEveryLengthByItsOwnLimit) {
   folder_.write("lengths.csv", measured_rows(7, 1.0005));
-  const Verification verification = iso(kLengths);
+  const Verification verification = iso(testing::kLengthTest);
   const Judged& judged = verification.statistics.front().judged();
   EXPECT_EQ(judged.result.symbol, "E_Uni");
-  EXPECT_NEAR(judged.result.value_mm.value(), 0.5, kExact_mm);
+  EXPECT_NEAR(judged.result.value_mm.value(), 0.5, testing::kExact_mm);
   EXPECT_NEAR(judged.mpe_mm.value(), 0.040, 1e-12);  // of 1000 mm: 500 um are 12.5 times as much
   EXPECT_EQ(verification.verdict(), Verdict::fail);
   EXPECT_EQ(verification.statistics.front().limit, "20 um + L/50");
@@ -113,9 +105,9 @@ TEST_F(VerificationJobTest, JudgesEveryLengthByItsOwnLimit) {
 
 TEST_F(VerificationJobTest, NamesWhatIsMissingAndComputesItOnlyIfAsked) {
   folder_.write("lengths.csv", measured_rows(6, 1.00001));
-  EXPECT_THAT(iso_complaint(kLengths), HasSubstr("7"));
-  EXPECT_THAT(iso_complaint(kLengths), HasSubstr("give --incomplete"));
-  const Verification verification = iso(kLengths, true);
+  EXPECT_THAT(iso_complaint(testing::kLengthTest), HasSubstr("7"));
+  EXPECT_THAT(iso_complaint(testing::kLengthTest), HasSubstr("give --incomplete"));
+  const Verification verification = iso(testing::kLengthTest, true);
   const Judged& judged = verification.statistics.front().judged();
   EXPECT_THAT(judged.result.symbol, IsEmpty());
   EXPECT_THAT(judged.result.missing, Not(IsEmpty()));
@@ -169,7 +161,7 @@ file = "seats.csv"
   EXPECT_EQ(verification.statistics[0].judged().verdict, Verdict::pass);
   EXPECT_EQ(verification.statistics[1].judged().verdict, Verdict::fail);
   const TestResult& half_range = verification.statistics[6].judged().result;
-  EXPECT_NEAR(half_range.value_mm.value(), 0.010, kExact_mm);
+  EXPECT_NEAR(half_range.value_mm.value(), 0.010, testing::kExact_mm);
   EXPECT_THAT(half_range.name, HasSubstr("half range per axis"));
   EXPECT_THAT(half_range.name, Not(HasSubstr("articulation")));
 }
@@ -199,7 +191,7 @@ mpe_um = 100
   wishes.incomplete = true;
   const Verification verification = run_verification(files, path, wishes);
   const Judged& judged = verification.statistics.front().judged();
-  EXPECT_NEAR(judged.result.value_mm.value(), 0.0, kExact_mm);
+  EXPECT_NEAR(judged.result.value_mm.value(), 0.0, testing::kExact_mm);
   EXPECT_NEAR(judged.U_mm.value(), 2 * 0.013, 1e-12);  // 3, 4 and 12 um make 13 um
 }
 
@@ -207,9 +199,10 @@ TEST_F(VerificationJobTest, JudgesByEveryRule) {
   folder_.write("lengths.csv", measured_rows(7, 1.00001));
   for (const char* rule :
        {"iso14253-1", "conformance-probability", "simple-acceptance", "guard-band"}) {
-    const std::string path = folder_.write(
-        "rule.verification.toml",
-        fmt::format("{}{}[decision]\nrule = \"{}\"\n", testing::kVerificationHead, kLengths, rule));
+    const std::string path =
+        folder_.write("rule.verification.toml",
+                      fmt::format("{}{}[decision]\nrule = \"{}\"\n", testing::kVerificationHead,
+                                  testing::kLengthTest, rule));
     InputFiles files;
     EXPECT_EQ(to_string(run_verification(files, path, {}).rule.kind), rule);
   }
@@ -282,16 +275,16 @@ file = "seat.csv"
         files, path, {.standard = VerificationStandard::b89_4_22, .incomplete = true});
     const VerifiedStatistic& largest = verification.statistics.front();
     EXPECT_NEAR(largest.as_found.result.value_mm.value(), largest_deviation_mm(seat.tips(as_found)),
-                kExact_mm);
+                testing::kExact_mm);
     ASSERT_TRUE(largest.as_left);
     EXPECT_NEAR(largest.as_left->result.value_mm.value(), largest_deviation_mm(seat.tips(as_left)),
-                kExact_mm);
+                testing::kExact_mm);
   }
 }
 
 TEST_F(VerificationJobTest, SaysWhenThereIsNothingToDo) {
   folder_.write("lengths.csv", measured_rows(7, 1.0));
-  EXPECT_THAT(complaint(kLengths, VerificationStandard::b89_4_22),
+  EXPECT_THAT(complaint(testing::kLengthTest, VerificationStandard::b89_4_22),
               HasSubstr("has no test of ASME B89.4.22-2004\n  help: its kinds are "
                         "effective_diameter"));
   EXPECT_THAT(iso_complaint("as_left = \"x\"\n"), HasSubstr("has no tests"));
@@ -305,9 +298,9 @@ TEST_F(VerificationJobTest, HasNoValueOfTooFewPoints) {
 
 TEST_F(VerificationJobTest, ReadsASharedTableOnce) {
   folder_.write("lengths.csv", measured_rows(7, 1.0));
-  const std::string path =
-      folder_.write("two.verification.toml", std::string(testing::kVerificationHead) + kLengths +
-                                                 kLengths + "name = \"again\"\n");
+  const std::string path = folder_.write(
+      "two.verification.toml", std::string(testing::kVerificationHead) + testing::kLengthTest +
+                                   testing::kLengthTest + "name = \"again\"\n");
   InputFiles files;
   const Verification verification = run_verification(files, path, {});
   EXPECT_EQ(verification.statistics.size(), 2U);

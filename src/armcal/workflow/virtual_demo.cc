@@ -68,7 +68,7 @@ Attempt attempt(const Simulation& simulation, const Kit& kit, bool allow_rank_de
 
 double micrometres_per_metre(double ratio) { return ratio * 1e6; }
 
-std::string readings_text(const Simulation& simulation) {
+std::string kits_text(const Simulation& simulation) {
   std::vector<std::string> parts;
   for (const ObservationGroup& group : simulation.groups) {
     parts.push_back(fmt::format("  {:<12} {:<18} {:>4} rows\n", group.name, to_string(group.kind),
@@ -196,7 +196,7 @@ VirtualDemo run_virtual_demo() {
       "demo/demo.session.toml\n",
       loaded.scenario.name, simulation.seed,
       fixed(arcseconds_from_radians(loaded.scenario.errors.encoder_noise.u_rad), 1),
-      readings_text(simulation), simulation.check->count(), result_text(drawing, attempts),
+      kits_text(simulation), simulation.check->count(), result_text(drawing, attempts),
       fixed(drawing.floor_mm, kDecimals), blindness_text(blindness, attempts[0], attempts[1]));
 
   demo.json["floor_mm"] = drawing.floor_mm;

@@ -11,7 +11,7 @@ namespace armcal {
 namespace {
 
 const char* const kPaper = "Wang, Wang, Lu, Zhang 2016";
-const char* const kNeeds = "a reference CMM, clamps for the joints";
+const char* const kNeedsOfPaper = "a reference CMM, clamps for the joints";
 
 TakenReadings take(const Bench& bench, FoundArm (*evaluate)(const SymmetricPointAnalysis&)) {
   constexpr int kJoints = 6;
@@ -33,7 +33,7 @@ Method method(const std::string& name, const std::string& title,
   return {.name = name,
           .title = title,
           .reference = kPaper,
-          .needs = kNeeds,
+          .needs = kNeedsOfPaper,
           .take = [=](const Bench& bench) { return take(bench, evaluate); }};
 }
 

@@ -8,7 +8,7 @@
 namespace armcal {
 namespace {
 
-const char* const kNeeds = "two cones of known distance";
+const char* const kNeedsOfSearches = "two cones of known distance";
 
 using Fit = FoundArm (*)(const ArmModel&, std::span<const ObservationGroup>, const Monitor&);
 
@@ -21,7 +21,7 @@ FoundArm identifiable_fit(const ArmModel& nominal, std::span<const ObservationGr
 Method least_squares(const std::string& name, const std::string& title, Fit fit) {
   return {.name = name,
           .title = title,
-          .needs = kNeeds,
+          .needs = kNeedsOfSearches,
           .take = [=](const Bench& bench) -> TakenReadings {
             std::vector<ObservationGroup> groups = cone_and_length(bench);
             const int count = count_readings(groups);
@@ -37,7 +37,7 @@ Method search(const std::string& name, const std::string& title, const std::stri
   return {.name = redundant ? name + "-redundant" : name,
           .title = title + (redundant ? ", all parameters" : ""),
           .reference = reference,
-          .needs = kNeeds,
+          .needs = kNeedsOfSearches,
           .effort = kEffort,
           .take = [=](const Bench& bench) -> TakenReadings {
             std::vector<ObservationGroup> groups = cone_and_length(bench);

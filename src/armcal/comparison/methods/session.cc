@@ -11,7 +11,8 @@
 namespace armcal {
 namespace {
 
-SessionMethod least_squares(std::string name, std::string title, int harmonics, RobustLoss loss) {
+SessionMethod session_least_squares(std::string name, std::string title, int harmonics,
+                                    RobustLoss loss) {
   return {.name = std::move(name),
           .title = std::move(title),
           .compute = [=](const SessionReadings& readings) {
@@ -44,8 +45,8 @@ PopulationFitOptions search_options(const SessionReadings& readings, PopulationM
   return options;
 }
 
-SessionMethod search(const std::string& name, const std::string& title, PopulationMethod method,
-                     bool redundant) {
+SessionMethod session_search(const std::string& name, const std::string& title,
+                             PopulationMethod method, bool redundant) {
   constexpr double kEffort = 100.0;
   return {.name = redundant ? name + "-redundant" : name,
           .title = title + (redundant ? ", all parameters" : ""),
@@ -71,10 +72,12 @@ std::vector<SessionMethod> session_methods() {
            [](const SessionReadings& readings) {
              return found_arm(calibrate(readings.nominal, readings.groups, readings.calibration));
            }},
-      least_squares("least-squares", "least squares, geometry", 0, RobustLoss::none),
-      least_squares("least-squares-1", "least squares, first harmonics", 1, RobustLoss::none),
-      least_squares("least-squares-2", "least squares, two harmonics", 2, RobustLoss::none),
-      least_squares("least-squares-robust", "least squares, Huber's loss", 0, RobustLoss::huber),
+      session_least_squares("least-squares", "least squares, geometry", 0, RobustLoss::none),
+      session_least_squares("least-squares-1", "least squares, first harmonics", 1,
+                            RobustLoss::none),
+      session_least_squares("least-squares-2", "least squares, two harmonics", 2, RobustLoss::none),
+      session_least_squares("least-squares-robust", "least squares, Huber's loss", 0,
+                            RobustLoss::huber),
       {.name = "least-squares-redundant",
        .title = "least squares, all parameters",
        .compute =
@@ -88,12 +91,13 @@ std::vector<SessionMethod> session_methods() {
        }}};
   for (const bool redundant : {false, true}) {
     methods.push_back(
-        search("annealing", "simulated annealing", PopulationMethod::annealing, redundant));
-    methods.push_back(search("genetic", "genetic algorithm", PopulationMethod::genetic, redundant));
+        session_search("annealing", "simulated annealing", PopulationMethod::annealing, redundant));
     methods.push_back(
-        search("swarm", "particle swarm", PopulationMethod::particle_swarm, redundant));
-    methods.push_back(search("evolution", "differential evolution",
-                             PopulationMethod::differential_evolution, redundant));
+        session_search("genetic", "genetic algorithm", PopulationMethod::genetic, redundant));
+    methods.push_back(
+        session_search("swarm", "particle swarm", PopulationMethod::particle_swarm, redundant));
+    methods.push_back(session_search("evolution", "differential evolution",
+                                     PopulationMethod::differential_evolution, redundant));
   }
   return methods;
 }

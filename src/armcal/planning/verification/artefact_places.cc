@@ -14,10 +14,10 @@
 namespace armcal {
 namespace {
 
-constexpr int kPlaces = 3000;
+constexpr int kPlacesToTry = 3000;
 // Of these, so many are looked at with the arm's joints, which takes a thousand times as long.
 constexpr int kPlacesLookedAt = 150;
-constexpr int kBarPlaces = 1000;
+constexpr int kBarTries = 1000;
 // Half the width of a bar, and what clamps and stems need.
 constexpr double kClearance_mm = 30.0;
 constexpr double kSteepestSine = 0.7071067811865476;  // of 45 deg above the level
@@ -97,7 +97,7 @@ std::vector<PlannedSphere> sphere_places(const TouchSearch& search, const Shell&
   std::vector<PlannedSphere> places;
   SphereToProbe sphere = size;
   int looked_at = 0;
-  for (int i = 0; i < kPlaces && looked_at < kPlacesLookedAt && places.size() < most; ++i) {
+  for (int i = 0; i < kPlacesToTry && looked_at < kPlacesLookedAt && places.size() < most; ++i) {
     sphere.centre_mm = random_point(search, shell, random);
     if (const auto fault = search.fault_at(sphere.centre_mm, sphere.radius_mm + kClearance_mm)) {
       tried.reject(*fault);
@@ -122,7 +122,7 @@ std::optional<SeatPlace> seat_place(const TouchSearch& search, const Shell& shel
                                     std::size_t postures, RandomStream& random,
                                     TriedPlaces& tried) {
   int looked_at = 0;
-  for (int i = 0; i < kPlaces && looked_at < kPlacesLookedAt; ++i) {
+  for (int i = 0; i < kPlacesToTry && looked_at < kPlacesLookedAt; ++i) {
     const Eigen::Vector3d at = random_point(search, shell, random);
     if (const auto fault = search.fault_at(at, kClearance_mm)) {
       tried.reject(*fault);
@@ -145,7 +145,7 @@ std::vector<PlannedBar> bar_places(const TouchSearch& search, const Eigen::Vecto
                                    const std::vector<double>& lengths_mm, std::size_t most,
                                    RandomStream& random, TriedPlaces& tried) {
   std::vector<PlannedBar> places;
-  for (int i = 0; i < kBarPlaces && places.size() < most; ++i) {
+  for (int i = 0; i < kBarTries && places.size() < most; ++i) {
     PlannedBar bar = random_bar(search, direction, lengths_mm, random);
     if (const auto fault = fault_of(search, bar)) {
       tried.reject(*fault);

@@ -13,6 +13,9 @@
 
 namespace armcal {
 
+/// What is planned in multiples of: bars and calibrated lengths come so.
+inline constexpr double kRoundLength_mm = 50.0;
+
 /// Distances from the origin of the first joint.
 struct Shell {
   double inner_mm = 0.0;

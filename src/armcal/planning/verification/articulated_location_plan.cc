@@ -14,11 +14,11 @@
 namespace armcal {
 namespace {
 
-constexpr int kStarts = 300;
-constexpr std::size_t kPlaces = 5;  // to compare
-constexpr std::size_t kArticulations = 5;
+constexpr int kArticulationStarts = 300;
+constexpr std::size_t kPlacesToCompare = 5;
+constexpr std::size_t kArticulationsOfLocation = 5;
 // More than five, so that there is a choice.
-constexpr std::size_t kEnough = 4 * kArticulations;
+constexpr std::size_t kEnough = 4 * kArticulationsOfLocation;
 
 std::string cover(const std::vector<Articulation>& chosen) {
   long left = 0;
@@ -45,15 +45,15 @@ SphereWithArticulations middle_sphere(const PlanningCircumstances& with, RandomS
   const Shell shell{0.35 * with.reach_mm, 0.6 * with.reach_mm};
   TriedPlaces tried;
   const auto places = sphere_places(with.search, shell, with.sphere_at(Eigen::Vector3d::Zero()),
-                                    pattern_of_5, kPlaces, random, tried);
+                                    pattern_of_5, kPlacesToCompare, random, tried);
   std::optional<SphereWithArticulations> best;
   std::size_t most = 0;
   for (const PlannedSphere& sphere : places) {
     auto found = articulations_at(with.search, with.sphere_at(sphere.centre_mm), sphere.pole,
-                                  kStarts, random);
+                                  kArticulationStarts, random);
     most = std::max(most, found.size());
     if (found.size() < kEnough) continue;
-    auto chosen = choose_articulations(std::move(found), kArticulations);
+    auto chosen = choose_articulations(std::move(found), kArticulationsOfLocation);
     if (best && least_distance_rad(chosen) <= least_distance_rad(best->articulations)) continue;
     best = {sphere, std::move(chosen)};
   }

@@ -9,7 +9,7 @@
 namespace armcal {
 namespace {
 
-constexpr int kRepeats = 3;
+constexpr int kFits = 3;
 
 }  // namespace
 
@@ -30,7 +30,7 @@ PlannedTest plan_effective_diameter(const PlanningCircumstances& with) {
   }
   PlannedSphere& sphere = test.spheres.front();
   sphere.position = "middle";
-  for (int repeat = 1; repeat <= kRepeats; ++repeat) {
+  for (int repeat = 1; repeat <= kFits; ++repeat) {
     int point = 0;
     for (const Eigen::Vector3d& direction : pattern_of_9(sphere.pole)) {
       PlannedTouch row;

@@ -12,11 +12,10 @@
 namespace armcal {
 namespace {
 
-constexpr int kRepeats = 3;
+constexpr int kRepeatsOfLength = 3;
 constexpr double kLongestShare = 0.66;  // of the reach, at least
-constexpr double kRoundLength_mm = 50.0;
 // Places to choose from, so that bars lie apart.
-constexpr std::size_t kPlacesToChoose = 8;
+constexpr std::size_t kLengthPlaces = 8;
 
 struct Direction {
   const char* name;
@@ -53,7 +52,7 @@ const PlannedBar& most_apart(const std::vector<PlannedBar>& places,
 void add_lengths(const TouchSearch& search, PlannedTest& test, const PlannedBar& bar,
                  RandomStream& random) {
   for (const double length : bar.lengths_mm) {
-    for (int repeat = 1; repeat <= kRepeats; ++repeat) {
+    for (int repeat = 1; repeat <= kRepeatsOfLength; ++repeat) {
       for (const char end : {'A', 'B'}) {
         PlannedTouch row;
         row.position = bar.position;
@@ -92,7 +91,7 @@ PlannedTest plan_length_uni(const PlanningCircumstances& with) {
   for (const auto& [name, along] : seven_directions()) {
     TriedPlaces tried;
     const auto places = bar_places(with.search, along.normalized(), with.wishes.lengths_mm,
-                                   kPlacesToChoose, random, tried);
+                                   kLengthPlaces, random, tried);
     if (places.empty()) {
       problems += fmt::format("{}length_uni: no place for a bar of {:.0f} mm {}: {}",
                               problems.empty() ? "" : "\n", with.wishes.lengths_mm.back(), name,

@@ -14,7 +14,7 @@ namespace armcal {
 namespace {
 
 // Places to choose from, so that the spheres stand in different directions.
-constexpr std::size_t kPlacesToChoose = 8;
+constexpr std::size_t kSpherePlaces = 8;
 
 double angle_at_origin(const TouchSearch& search, const Eigen::Vector3d& one,
                        const Eigen::Vector3d& other) {
@@ -39,7 +39,7 @@ std::vector<PlannedSphere> near_and_far(const PlanningCircumstances& with, Rando
     return found;
   };
   const PlannedSphere near = places("near", 0.2, 0.45, 1).front();
-  const auto far = places("far", 0.65, 0.9, kPlacesToChoose);
+  const auto far = places("far", 0.65, 0.9, kSpherePlaces);
   const auto angle = [&](const PlannedSphere& sphere) {
     return angle_at_origin(with.search, near.centre_mm, sphere.centre_mm);
   };

@@ -9,7 +9,7 @@
 namespace armcal {
 namespace {
 
-constexpr std::size_t kArticulations = 10;
+constexpr std::size_t kArticulationsOfSeat = 10;
 
 // Seats stand well inside their zones, so that a reach that is stated a little differently leaves
 // them there; shares of the reach.
@@ -43,7 +43,7 @@ PlannedTest plan_single_point_articulation(const PlanningCircumstances& with) {
   for (const Zone& zone : kZones) {
     const Shell shell{zone.inner * with.reach_mm, zone.outer * with.reach_mm};
     TriedPlaces tried;
-    auto place = seat_place(with.search, shell, kArticulations, random, tried);
+    auto place = seat_place(with.search, shell, kArticulationsOfSeat, random, tried);
     if (!place) {
       problems += fmt::format(
           "{}single_point_articulation: no place for the {} seat, {:.0f} to {:.0f} mm from the "

@@ -8,7 +8,7 @@ namespace armcal {
 namespace {
 
 constexpr std::size_t kCandidates = 4;
-constexpr int kStarts = 60;
+constexpr int kTouchStarts = 60;
 // A place was chosen because two of 40 starts led there.
 constexpr int kLastStarts = 1000;
 
@@ -16,7 +16,7 @@ constexpr int kLastStarts = 1000;
 
 void add_touch(const TouchSearch& search, PlannedTest& test, PlannedTouch row,
                RandomStream& random) {
-  auto candidates = search.postures(row.touch, kCandidates, kStarts, random);
+  auto candidates = search.postures(row.touch, kCandidates, kTouchStarts, random);
   if (candidates.empty()) candidates = search.postures(row.touch, 1, kLastStarts, random);
   if (candidates.empty()) {
     const Eigen::Vector3d& at = row.touch.tip_mm;

@@ -16,8 +16,7 @@ namespace armcal {
 namespace {
 
 constexpr int kPlacementsOfEach = 10;
-constexpr std::size_t kPlacesToChoose = 40;
-constexpr double kRoundLength_mm = 50.0;
+constexpr std::size_t kBarPlaces = 40;
 
 Eigen::Vector3d middle_of(const PlannedBar& bar) { return 0.5 * (bar.from_mm + bar.to_mm); }
 
@@ -34,7 +33,7 @@ std::vector<PlannedBar> places_for(const PlanningCircumstances& with, double len
                                    RandomStream& random, std::string& problems) {
   TriedPlaces tried;
   auto places =
-      bar_places(with.search, Eigen::Vector3d::Zero(), {length_mm}, kPlacesToChoose, random, tried);
+      bar_places(with.search, Eigen::Vector3d::Zero(), {length_mm}, kBarPlaces, random, tried);
   if (places.size() < kPlacementsOfEach) {
     problems += fmt::format(
         "{}volumetric_length: only {} places, not {}, for a bar of {:.0f} mm: {}",

@@ -18,9 +18,9 @@
 namespace armcal {
 namespace {
 
-constexpr double kWidth = 640.0, kHeight = 440.0;
+constexpr double kDrawingWidth = 640.0, kDrawingHeight = 440.0;
 constexpr double kSmallWidth = 480.0, kSmallHeight = 380.0;
-constexpr double kMargin = 26.0;
+constexpr double kDrawingMargin = 26.0;
 constexpr double kFoot = 34.0;  // of scale bar and directions
 constexpr double kElevation = 0.42;
 constexpr int kAzimuths = 8;
@@ -78,8 +78,8 @@ class SpaceDrawing {
   }
 
   void begin(double top) {
-    view_.fit(kMargin, top + kMargin, drawing_.width() - kMargin,
-              drawing_.height() - kFoot - kMargin);
+    view_.fit(kDrawingMargin, top + kDrawingMargin, drawing_.width() - kDrawingMargin,
+              drawing_.height() - kFoot - kDrawingMargin);
     draw_grid();
   }
 
@@ -291,7 +291,7 @@ void add_artefacts(SpaceDrawing& space, const std::vector<SceneArtefact>& artefa
     const Eigen::Vector2d at = space.at(artefact.at_mm);
     const bool is_bar = artefact.shape == ArtefactShape::bar && artefact.to_mm.allFinite();
     const double radius = std::clamp(space.view().scale() * artefact.radius_mm,
-                                     artefact.radius_mm > 0 ? 4.0 : 3.0, kHeight);
+                                     artefact.radius_mm > 0 ? 4.0 : 3.0, kDrawingHeight);
     std::string svg;
     if (is_bar) {
       const Eigen::Vector2d to = space.at(artefact.to_mm);
@@ -336,7 +336,7 @@ std::vector<LegendEntry> legend_of(const ArmDrawing& words) {
 
 std::string svg_of(const ArmDrawing& words, const StandingArm& arm) {
   const ArmScene& scene = words.scene;
-  SpaceDrawing space(kWidth, kHeight, arm, up_of(scene.arm), reach_mm(scene.arm));
+  SpaceDrawing space(kDrawingWidth, kDrawingHeight, arm, up_of(scene.arm), reach_mm(scene.arm));
   const std::vector<Arrow> arrows = arrows_of(scene);
   for (const Arrow& arrow : arrows) {
     space.include(arrow.from);
@@ -346,7 +346,7 @@ std::string svg_of(const ArmDrawing& words, const StandingArm& arm) {
     space.include(artefact.at_mm);
     if (artefact.shape == ArtefactShape::bar) space.include(artefact.to_mm);
   }
-  const ChartLegend legend(legend_of(words), 6.0, kWidth - 6.0);
+  const ChartLegend legend(legend_of(words), 6.0, kDrawingWidth - 6.0);
   space.begin(ChartLegend::kRowHeight * legend.rows());
   space.add_solid(arm);
   add_arrows(space, arrows, space.view().nearness(0.5 * (arm.point(0) + arm.tip_mm)));

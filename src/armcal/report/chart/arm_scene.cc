@@ -25,7 +25,7 @@ OrderedJson finite_or_null(double value) {
 }
 
 template <typename Vector>
-OrderedJson numbers(const Vector& vector) {
+OrderedJson numbers_of(const Vector& vector) {
   OrderedJson list = OrderedJson::array();
   for (Eigen::Index i = 0; i < vector.size(); ++i) list.push_back(finite_or_null(vector(i)));
   return list;
@@ -35,10 +35,10 @@ OrderedJson rows_of(const RigidTransform& pose) {
   Eigen::Matrix<double, 4, 4, Eigen::RowMajor> matrix = decltype(matrix)::Identity();
   matrix.topLeftCorner<3, 3>() = pose.rotation;
   matrix.topRightCorner<3, 1>() = pose.translation_mm;
-  return numbers(matrix.reshaped<Eigen::RowMajor>());
+  return numbers_of(matrix.reshaped<Eigen::RowMajor>());
 }
 
-OrderedJson json_of(const Joint& joint) {
+OrderedJson live_json(const Joint& joint) {
   OrderedJson harmonics = OrderedJson::array();
   for (const Harmonic& term : joint.harmonics) harmonics.push_back({term.cos_rad, term.sin_rad});
   return {{"zero_deg", degrees_from_radians(joint.zero_rad)},
@@ -48,9 +48,9 @@ OrderedJson json_of(const Joint& joint) {
           {"harmonics", std::move(harmonics)}};
 }
 
-OrderedJson json_of(const ArmModel& arm) {
+OrderedJson live_json(const ArmModel& arm) {
   OrderedJson joints = OrderedJson::array();
-  for (const Joint& joint : arm.joints) joints.push_back(json_of(joint));
+  for (const Joint& joint : arm.joints) joints.push_back(live_json(joint));
   OrderedJson links = OrderedJson::array();
   for (const Link& link : arm.links) {
     links.push_back({{"d_mm", link.d_mm},
@@ -66,14 +66,14 @@ OrderedJson json_of(const ArmModel& arm) {
           {"tip", {{"a_mm", arm.tip.a_mm}, {"b_mm", arm.tip.b_mm}, {"d_mm", arm.tip.d_mm}}}};
 }
 
-OrderedJson json_of(const ScenePosture& posture, const ForwardKinematics& kinematics) {
+OrderedJson live_json(const ScenePosture& posture, const ForwardKinematics& kinematics) {
   const std::span readings(posture.q_rad.data(), static_cast<std::size_t>(posture.q_rad.size()));
-  return {
-      {"name", posture.name},
-      {"q_deg", numbers(posture.q_rad.unaryExpr(&degrees_from_radians))},
-      {"tip_mm", numbers(kinematics.tip_in_base(readings))},
-      {"residual_mm", posture.residual_mm ? numbers(*posture.residual_mm) : OrderedJson(nullptr)},
-      {"check", posture.is_check}};
+  return {{"name", posture.name},
+          {"q_deg", numbers_of(posture.q_rad.unaryExpr(&degrees_from_radians))},
+          {"tip_mm", numbers_of(kinematics.tip_in_base(readings))},
+          {"residual_mm",
+           posture.residual_mm ? numbers_of(*posture.residual_mm) : OrderedJson(nullptr)},
+          {"check", posture.is_check}};
 }
 
 const char* name_of(ArtefactShape shape) {
@@ -88,11 +88,11 @@ const char* name_of(ArtefactShape shape) {
   return "point";
 }
 
-OrderedJson json_of(const SceneArtefact& artefact) {
+OrderedJson live_json(const SceneArtefact& artefact) {
   return {{"kind", name_of(artefact.shape)},
           {"name", artefact.name},
-          {"at_mm", numbers(artefact.at_mm)},
-          {"to_mm", numbers(artefact.to_mm)},
+          {"at_mm", numbers_of(artefact.at_mm)},
+          {"to_mm", numbers_of(artefact.to_mm)},
           {"radius_mm", finite_or_null(artefact.radius_mm)}};
 }
 
@@ -134,15 +134,15 @@ std::string live_scene(const ArmScene& scene) {
   if (problems_of(scene.arm).empty()) {
     const ForwardKinematics kinematics(scene.arm);
     for (const std::size_t i : told_postures(scene)) {
-      postures.push_back(json_of(scene.postures[i], kinematics));
+      postures.push_back(live_json(scene.postures[i], kinematics));
     }
   }
   OrderedJson artefacts = OrderedJson::array();
-  for (const SceneArtefact& artefact : scene.artefacts) artefacts.push_back(json_of(artefact));
+  for (const SceneArtefact& artefact : scene.artefacts) artefacts.push_back(live_json(artefact));
   const OrderedJson json = {
       {"kind", "scene"},
-      {"arm", json_of(scene.arm)},
-      {"nominal", scene.nominal ? json_of(*scene.nominal) : OrderedJson(nullptr)},
+      {"arm", live_json(scene.arm)},
+      {"nominal", scene.nominal ? live_json(*scene.nominal) : OrderedJson(nullptr)},
       {"postures", std::move(postures)},
       {"artefacts", std::move(artefacts)},
       {"enlargement", scene.enlargement}};

@@ -16,7 +16,7 @@
 namespace armcal {
 namespace {
 
-constexpr double kWidth = 480.0, kHeight = 300.0;
+constexpr double kChartWidth = 480.0, kChartHeight = 300.0;
 constexpr double kWideWidth = 980.0, kWideHeight = 340.0;
 constexpr double kLeastEqualHeight = 240.0, kMostEqualHeight = 520.0;  // of equal scales
 constexpr double kRight = 14.0;                                        // margin
@@ -132,11 +132,11 @@ class ChartPicture {
   explicit ChartPicture(const Chart& chart)
       : chart_(chart),
         ranges_(ranges_of(chart)),
-        width_(chart.is_wide ? kWideWidth : kWidth),
+        width_(chart.is_wide ? kWideWidth : kChartWidth),
         left_(left_margin()),
         legend_(legend_of(chart), 4.0, width_ - kRight, label_width()),
         top_(top_margin()),
-        height_(chart.is_wide ? kWideHeight : kHeight) {
+        height_(chart.is_wide ? kWideHeight : kChartHeight) {
     if (chart.equal_scales) fit_equal();
   }
 
@@ -155,7 +155,7 @@ class ChartPicture {
  private:
   [[nodiscard]] double left_margin() const {
     // Which ticks there are depends little on the height.
-    const double length = (chart_.is_wide ? kWideHeight : kHeight) - kBelow - 2.0 * kTitleRow;
+    const double length = (chart_.is_wide ? kWideHeight : kChartHeight) - kBelow - 2.0 * kTitleRow;
     const ChartScale y(chart_.y.scale, ranges_.y, 0.0, length);
     double widest = 0.0;
     for (const ChartTick& tick : y.ticks(static_cast<int>(length / kPerTickY))) {

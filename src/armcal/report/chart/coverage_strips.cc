@@ -14,14 +14,14 @@
 namespace armcal {
 namespace {
 
-constexpr double kWidth = 480.0;
+constexpr double kStripWidth = 480.0;
 constexpr double kStrip = 16.0;
-constexpr double kRow = 34.0;
-constexpr double kAxis = 46.0;
-constexpr double kMostNames = 110.0;
+constexpr double kStripRow = 34.0;
+constexpr double kStripAxis = 46.0;
+constexpr double kStripMostNames = 110.0;
 constexpr double kSpan = 64.0;      // of the widths at the right
 constexpr std::size_t kBins = 120;  // of the whole axis
-constexpr int kShades = 8;
+constexpr int kStripShades = 8;
 constexpr double kStops[] = {5.0, 10.0, 15.0, 30.0, 45.0, 90.0, 180.0, 360.0};  // between ticks
 
 // Angles of more than 100 turns are an error of the readings and would hide all others.
@@ -54,21 +54,21 @@ class StripPicture {
   StripPicture(const CoverageStrips& strips, const ChartRange& range)
       : strips_(strips),
         left_(left_margin(strips)),
-        x_(AxisScale::linear, axis_range({}, range), left_, kWidth - kSpan - 8.0),
-        legend_(entries(), 4.0, kWidth - kSpan - 8.0) {}
+        x_(AxisScale::linear, axis_range({}, range), left_, kStripWidth - kSpan - 8.0),
+        legend_(entries(), 4.0, kStripWidth - kSpan - 8.0) {}
 
   [[nodiscard]] std::string svg() const {
     const double head = ChartLegend::kRowHeight * std::max(1, legend_.rows()) + 10.0;
-    const double bottom = head + kRow * static_cast<double>(strips_.joints.size());
-    SvgDrawing drawing(kWidth, bottom + kAxis);
+    const double bottom = head + kStripRow * static_cast<double>(strips_.joints.size());
+    SvgDrawing drawing(kStripWidth, bottom + kStripAxis);
     legend_.draw(drawing, 16.0);
-    drawing.text(kWidth - 4.0, 16.0, strips_.span,
+    drawing.text(kStripWidth - 4.0, 16.0, strips_.span,
                  {.style = "tick", .anchor = TextAnchor::end, .most_width = kSpan});
     draw_axis(drawing, head, bottom);
     double top = head + 5.0;
     for (const JointStrip& joint : strips_.joints) {
       draw(drawing, joint, top);
-      top += kRow;
+      top += kStripRow;
     }
     return drawing.finished(strips_.title, strips_.text, "coverage");
   }
@@ -79,7 +79,7 @@ class StripPicture {
     for (const JointStrip& joint : strips.joints) {
       widest = std::max(widest, text_width(joint.name, kTextSize));
     }
-    return std::min(widest, kMostNames) + 14.0;
+    return std::min(widest, kStripMostNames) + 14.0;
   }
 
   [[nodiscard]] std::vector<LegendEntry> entries() const {
@@ -138,7 +138,7 @@ class StripPicture {
     drawing.path(strokes, check_attributes());
     const auto covered = range_of(fit, AxisScale::linear);
     if (!covered) return;
-    drawing.text(kWidth - 4.0, top + 13.0,
+    drawing.text(kStripWidth - 4.0, top + 13.0,
                  fmt::format("{:.0f}\u00b0", covered->high - covered->low),
                  {.style = "tick", .anchor = TextAnchor::end});
   }
@@ -151,17 +151,17 @@ class StripPicture {
       const auto bin = static_cast<std::size_t>((x_.at(angle) - x_.from()) / width);
       most = std::max(most, ++counts[std::min(bin, kBins - 1)]);
     }
-    std::array<std::string, kShades> paths;
+    std::array<std::string, kStripShades> paths;
     for (std::size_t bin = 0; bin < kBins; ++bin) {
       if (counts[bin] == 0) continue;
-      const int shade = (counts[bin] * kShades - 1) / most;
+      const int shade = (counts[bin] * kStripShades - 1) / most;
       paths[static_cast<std::size_t>(shade)] += fmt::format(
           "M{}h{}v{}h-{}z", point(x_.from() + width * static_cast<double>(bin), top + 1.0),
           coordinate(width), coordinate(kStrip - 2.0), coordinate(width));
     }
-    for (int shade = 0; shade < kShades; ++shade) {
+    for (int shade = 0; shade < kStripShades; ++shade) {
       // A single reading is seen too.
-      const double opacity = 0.3 + 0.7 * (shade + 1.0) / kShades;
+      const double opacity = 0.3 + 0.7 * (shade + 1.0) / kStripShades;
       drawing.path(paths[static_cast<std::size_t>(shade)],
                    fmt::format("class=\"s0\" fill=\"{}\" fill-opacity=\"{}\"", series_colour(0),
                                coordinate(opacity)));

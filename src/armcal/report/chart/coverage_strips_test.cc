@@ -33,8 +33,8 @@ TEST(CoverageStripsDrawings, SayHowMuchOfAJointTheFitCovers) {
 }
 
 TEST(CoverageStripsDrawings, StrangeAnglesAndNamesAreDrawn) {
-  const double kInfinity = std::numeric_limits<double>::infinity();
-  JointStrip strange{testing::kHostileName, kInfinity, -kInfinity, {1e300, kInfinity, 5.0}, {}};
+  const double endless = std::numeric_limits<double>::infinity();
+  JointStrip strange{testing::kHostileName, endless, -endless, {1e300, endless, 5.0}, {}};
   strange.check_deg = {std::numeric_limits<double>::quiet_NaN(), 5.0};
   const SvgReader svg(figure_of(strips_of({strange, {"none"}})).svg);
   svg.expect_sound();

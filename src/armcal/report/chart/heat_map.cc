@@ -15,13 +15,13 @@
 namespace armcal {
 namespace {
 
-constexpr double kWidth = 480.0;
-constexpr double kMostNames = 130.0;  // room for names
-constexpr double kLeastCell = 13.0;   // a name is as high
+constexpr double kMapWidth = 480.0;
+constexpr double kMapMostNames = 130.0;  // room for names
+constexpr double kLeastCell = 13.0;      // a name is as high
 constexpr double kMostCell = 40.0;
 constexpr double kSignCell = 12.0;  // a sign needs as much
 constexpr double kSigned = 0.15;    // of the full colour: weaker cells have no sign
-constexpr int kShades = 20;
+constexpr int kMapShades = 20;
 constexpr double kStrong = 0.6;  // shade on which text must be white
 constexpr std::size_t kMostHovered = 400;
 constexpr double kKey = 46.0;  // height of the colour key
@@ -32,13 +32,13 @@ constexpr const char* kPositive = "var(--positive, #b35806)";
 std::string shade_attributes(int shade) {
   return fmt::format("class=\"{}\" fill=\"{}\" fill-opacity=\"{}\"",
                      shade < 0 ? "negative" : "positive", shade < 0 ? kNegative : kPositive,
-                     coordinate(static_cast<double>(std::abs(shade)) / kShades));
+                     coordinate(static_cast<double>(std::abs(shade)) / kMapShades));
 }
 
 struct HeatCell {
   Eigen::Index row, column;
   double value;
-  int shade;  // -kShades to kShades
+  int shade;  // -kMapShades to kMapShades
 };
 
 class HeatPicture {
@@ -53,7 +53,7 @@ class HeatPicture {
     lay_out();
   }
 
-  [[nodiscard]] bool is_wide() const { return width_ > kWidth; }
+  [[nodiscard]] bool is_wide() const { return width_ > kMapWidth; }
 
   [[nodiscard]] std::string svg() const {
     if (cells_.empty()) return nothing_drawn(map_.title, map_.text, map_.nothing);
@@ -78,20 +78,20 @@ class HeatPicture {
     if (!(largest_ > 0.0)) largest_ = 1.0;
     for (HeatCell& cell : cells_) {
       const double part = std::clamp(cell.value / largest_, -1.0, 1.0);
-      cell.shade = static_cast<int>(std::lround(part * kShades));
+      cell.shade = static_cast<int>(std::lround(part * kMapShades));
     }
   }
 
   void lay_out() {
     double widest = 0.0;
     for (const std::string& name : map_.rows) widest = std::max(widest, text_width(name, 12.0));
-    left_ = std::min(kMostNames, widest) + 10.0;
+    left_ = std::min(kMapMostNames, widest) + 10.0;
     widest = 0.0;
     for (const std::string& name : map_.columns) widest = std::max(widest, text_width(name, 12.0));
-    top_ = std::min(kMostNames, widest) + 10.0;
+    top_ = std::min(kMapMostNames, widest) + 10.0;
     const auto columns = static_cast<double>(std::max<Eigen::Index>(1, map_.values.cols()));
-    cell_ = std::clamp((kWidth - left_ - 8.0) / columns, kLeastCell, kMostCell);
-    width_ = std::max(kWidth, left_ + cell_ * columns + 8.0);
+    cell_ = std::clamp((kMapWidth - left_ - 8.0) / columns, kLeastCell, kMostCell);
+    width_ = std::max(kMapWidth, left_ + cell_ * columns + 8.0);
   }
 
   [[nodiscard]] double x_of(Eigen::Index column) const {
@@ -133,7 +133,7 @@ class HeatPicture {
     std::stable_sort(sorted.begin(), sorted.end(), [](const HeatCell& a, const HeatCell& b) {
       return std::abs(a.value) > std::abs(b.value);
     });
-    std::array<std::string, 2 * kShades + 1> others;
+    std::array<std::string, 2 * kMapShades + 1> others;
     for (std::size_t i = 0; i < sorted.size(); ++i) {
       const HeatCell& cell = sorted[i];
       if (i < kMostHovered) {
@@ -142,18 +142,18 @@ class HeatPicture {
                                  name_of(map_.columns, cell.column),
                                  signed_text(cell.value, map_.decimals)));
       } else if (cell.shade != 0) {
-        others[static_cast<std::size_t>(cell.shade + kShades)] += square(cell);
+        others[static_cast<std::size_t>(cell.shade + kMapShades)] += square(cell);
       }
     }
-    for (int shade = -kShades; shade <= kShades; ++shade) {
-      drawing.path(others[static_cast<std::size_t>(shade + kShades)], shade_attributes(shade));
+    for (int shade = -kMapShades; shade <= kMapShades; ++shade) {
+      drawing.path(others[static_cast<std::size_t>(shade + kMapShades)], shade_attributes(shade));
     }
   }
 
   void draw_signs(SvgDrawing& drawing) const {
     if (has_values()) {
       for (const HeatCell& cell : cells_) {
-        const bool is_strong = std::abs(cell.shade) > kStrong * kShades;
+        const bool is_strong = std::abs(cell.shade) > kStrong * kMapShades;
         drawing.element("<g pointer-events=\"none\">");
         drawing.text(x_of(cell.column) + 0.5 * cell_, y_of(cell.row) + 0.5 * cell_ + 4.0,
                      signed_text(cell.value, map_.decimals),
@@ -167,7 +167,7 @@ class HeatPicture {
     }
     std::array<std::string, 2> signs;  // on weak and on strong shades
     for (const HeatCell& cell : cells_) {
-      if (std::abs(cell.shade) < kSigned * kShades) continue;
+      if (std::abs(cell.shade) < kSigned * kMapShades) continue;
       const double half = 0.22 * cell_;
       const double x = x_of(cell.column) + 0.5 * cell_;
       const double y = y_of(cell.row) + 0.5 * cell_;
@@ -175,7 +175,7 @@ class HeatPicture {
       if (cell.shade > 0 && cell_ > kSignCell) {
         sign += fmt::format("M{}v{}", point(x, y - half), coordinate(2.0 * half));
       }
-      signs[std::abs(cell.shade) > kStrong * kShades ? 1 : 0] += sign;
+      signs[std::abs(cell.shade) > kStrong * kMapShades ? 1 : 0] += sign;
     }
     drawing.path(signs[0], "class=\"cell-sign\" stroke=\"currentColor\" pointer-events=\"none\"");
     drawing.path(signs[1], "class=\"cell-sign\" stroke=\"#fff\" pointer-events=\"none\"");
@@ -196,7 +196,7 @@ class HeatPicture {
     double x = left_;
     for (int i = -steps; i <= steps; ++i) {
       drawing.rectangle(x + step * (i + steps), y, step, 11.0,
-                        shade_attributes(i * kShades / steps));
+                        shade_attributes(i * kMapShades / steps));
     }
     const double end = x + step * (2 * steps + 1);
     drawing.rectangle(x, y, end - x, 11.0,
@@ -212,7 +212,7 @@ class HeatPicture {
   const HeatMap& map_;
   std::vector<HeatCell> cells_;
   double largest_ = 1.0;
-  double left_ = 0.0, top_ = 0.0, cell_ = 0.0, width_ = kWidth;
+  double left_ = 0.0, top_ = 0.0, cell_ = 0.0, width_ = kMapWidth;
 };
 
 }  // namespace

@@ -13,11 +13,11 @@
 namespace armcal {
 namespace {
 
-constexpr double kWidth = 480.0;
-constexpr double kRow = 20.0;
-constexpr double kMostNames = 150.0, kMostTexts = 130.0;
-constexpr double kAxis = 46.0;  // ticks and label below a group
-constexpr double kMark = 4.0;
+constexpr double kIntervalWidth = 480.0;
+constexpr double kIntervalRow = 20.0;
+constexpr double kIntervalMostNames = 150.0, kMostTexts = 130.0;
+constexpr double kIntervalAxis = 46.0;  // ticks and label below a group
+constexpr double kIntervalMark = 4.0;
 
 double half_width_of(const IntervalRow& row) {
   return std::isfinite(row.half_width) ? std::abs(row.half_width) : 0.0;
@@ -35,7 +35,7 @@ ChartRange range_of_rows(const IntervalGroup& group) {
 
 void draw_mark(SvgDrawing& drawing, double x, double y, bool is_held) {
   const std::string colour = is_held ? "currentColor" : series_colour(0);
-  drawing.circle(x, y, kMark,
+  drawing.circle(x, y, kIntervalMark,
                  fmt::format("class=\"{}\" fill=\"{}\" stroke=\"{}\" stroke-width=\"1.6\"",
                              is_held ? "held" : "s0", is_held ? kPaperColour : colour, colour));
 }
@@ -43,7 +43,7 @@ void draw_mark(SvgDrawing& drawing, double x, double y, bool is_held) {
 class IntervalPicture {
  public:
   explicit IntervalPicture(const IntervalChart& chart)
-      : chart_(chart), legend_(entries(), 4.0, kWidth - 4.0) {
+      : chart_(chart), legend_(entries(), 4.0, kIntervalWidth - 4.0) {
     double names = 0.0;
     double texts = 0.0;
     for (const IntervalGroup& group : chart.groups) {
@@ -52,15 +52,15 @@ class IntervalPicture {
         texts = std::max(texts, text_width(row.text, 12.0));
       }
     }
-    left_ = std::min(names, kMostNames) + 14.0;
-    right_ = kWidth - (texts > 0.0 ? std::min(texts, kMostTexts) + 12.0 : 10.0);
+    left_ = std::min(names, kIntervalMostNames) + 14.0;
+    right_ = kIntervalWidth - (texts > 0.0 ? std::min(texts, kMostTexts) + 12.0 : 10.0);
   }
 
   [[nodiscard]] std::string svg() const {
     const double head = ChartLegend::kRowHeight * legend_.rows() + 10.0;
     double height = head;
     for (const IntervalGroup& group : chart_.groups) height += height_of(group);
-    SvgDrawing drawing(kWidth, height);
+    SvgDrawing drawing(kIntervalWidth, height);
     legend_.draw(drawing, 16.0);
     double top = head;
     for (const IntervalGroup& group : chart_.groups) {
@@ -72,7 +72,9 @@ class IntervalPicture {
 
  private:
   [[nodiscard]] static double height_of(const IntervalGroup& group) {
-    return group.rows.empty() ? 0.0 : kRow * static_cast<double>(group.rows.size()) + kAxis + 8.0;
+    return group.rows.empty()
+               ? 0.0
+               : kIntervalRow * static_cast<double>(group.rows.size()) + kIntervalAxis + 8.0;
   }
 
   [[nodiscard]] std::vector<LegendEntry> entries() const {
@@ -93,13 +95,13 @@ class IntervalPicture {
   }
 
   void draw(SvgDrawing& drawing, const IntervalGroup& group, double top) const {
-    const double bottom = top + kRow * static_cast<double>(group.rows.size());
+    const double bottom = top + kIntervalRow * static_cast<double>(group.rows.size());
     const ChartScale x(AxisScale::linear, range_of_rows(group), left_, right_);
     draw_axis(drawing, group, x, top, bottom);
-    double middle = top + 0.5 * kRow;
+    double middle = top + 0.5 * kIntervalRow;
     for (const IntervalRow& row : group.rows) {
       draw(drawing, row, x, middle);
-      middle += kRow;
+      middle += kIntervalRow;
     }
   }
 
@@ -111,7 +113,7 @@ class IntervalPicture {
       const double at = x.at(tick.value);
       grid += fmt::format("M{}V{}", point(at, top), coordinate(bottom));
       const double half = 0.5 * text_width(tick.text, kTextSize);
-      const double middle = std::min(at, kWidth - half);
+      const double middle = std::min(at, kIntervalWidth - half);
       drawing.text(middle, bottom + 16.0, tick.text,
                    {.style = "tick", .anchor = TextAnchor::middle});
     }
@@ -125,11 +127,11 @@ class IntervalPicture {
   void draw(SvgDrawing& drawing, const IntervalRow& row, const ChartScale& x, double middle) const {
     drawing.text(left_ - 8.0, middle + 4.5, row.name,
                  {.anchor = TextAnchor::end, .most_width = left_ - 10.0});
-    drawing.text(kWidth - 4.0, middle + 4.5, row.text,
+    drawing.text(kIntervalWidth - 4.0, middle + 4.5, row.text,
                  {.style = "tick",
                   .anchor = TextAnchor::end,
                   .size = 12.0,
-                  .most_width = kWidth - right_ - 8.0});
+                  .most_width = kIntervalWidth - right_ - 8.0});
     if (!std::isfinite(row.value)) return;
     const double half = half_width_of(row);
     if (half > 0.0) {
@@ -146,7 +148,7 @@ class IntervalPicture {
 
   const IntervalChart& chart_;
   ChartLegend legend_;
-  double left_ = 0.0, right_ = kWidth;
+  double left_ = 0.0, right_ = kIntervalWidth;
 };
 
 }  // namespace

@@ -13,12 +13,12 @@
 namespace armcal {
 namespace {
 
-constexpr double kWidth = 520.0;
-constexpr double kMargin = 10.0;
-constexpr double kRow = 88.0;                           // two lines of text and a track
+constexpr double kBarWidth = 520.0;
+constexpr double kBarMargin = 10.0;
+constexpr double kBarRow = 88.0;                        // two lines of text and a track
 constexpr double kExtraLine = 17.0;                     // for a second value
 constexpr double kTrack = 14.0;                         // height of the track
-constexpr double kMark = 4.6;                           // half of a mark
+constexpr double kBarMark = 4.6;                        // half of a mark
 constexpr double kLeastShown = 1.25, kMostShown = 2.0;  // end of the scale in MPE
 
 // An id of the page's own letters, unique as the figure's is.
@@ -54,7 +54,7 @@ void draw_mark(SvgDrawing& drawing, double x, double y, bool is_filled, const st
       fmt::format("class=\"{}\" fill=\"{}\" stroke=\"{}\" stroke-width=\"2\"",
                   is_filled ? "as-left" : "as-found", is_filled ? colour : kPaperColour, colour);
   if (is_filled) {
-    drawing.circle(x, y, kMark, attributes);
+    drawing.circle(x, y, kBarMark, attributes);
   } else {
     drawing.path(fmt::format("M{}l5.5 5.5-5.5 5.5-5.5-5.5z", point(x, y - 5.5)), attributes);
   }
@@ -84,8 +84,9 @@ class LimitPicture {
   explicit LimitPicture(const LimitBars& bars)
       : bars_(bars),
         end_(end_of_scale(bars)),
-        x_(AxisScale::linear, {has_two_sided(bars) ? -end_ : 0.0, end_}, kMargin, kWidth - kMargin),
-        legend_(entries(), 4.0, kWidth - 4.0) {
+        x_(AxisScale::linear, {has_two_sided(bars) ? -end_ : 0.0, end_}, kBarMargin,
+           kBarWidth - kBarMargin),
+        legend_(entries(), 4.0, kBarWidth - 4.0) {
     for (const LimitBarRow& row : bars.rows) {
       for (const auto* value : {&row.as_found, &row.as_left}) {
         if (*value) verdicts_ = std::max(verdicts_, text_width(verdict_of(**value), kTextSize));
@@ -98,7 +99,7 @@ class LimitPicture {
     const double legend_height = ChartLegend::kRowHeight * legend_.rows() + 10.0;
     double height = legend_height + 4.0;
     for (const LimitBarRow& row : bars_.rows) height += height_of(row);
-    SvgDrawing drawing(kWidth, height);
+    SvgDrawing drawing(kBarWidth, height);
     drawing.element(pattern(hatch_of(bars_)));
     legend_.draw(drawing, 16.0);
     double y = legend_height;
@@ -111,7 +112,7 @@ class LimitPicture {
 
  private:
   [[nodiscard]] static double height_of(const LimitBarRow& row) {
-    return kRow + (row.as_found && row.as_left ? kExtraLine : 0.0) -
+    return kBarRow + (row.as_found && row.as_left ? kExtraLine : 0.0) -
            (row.mpe > 0.0 ? 0.0 : 1.6 * kTrack);
   }
 
@@ -157,7 +158,7 @@ class LimitPicture {
   }
 
   void draw(SvgDrawing& drawing, const LimitBarRow& row, double top) const {
-    const double right = kWidth - kMargin;
+    const double right = kBarWidth - kBarMargin;
     double value_width = 0.0;
     double line = top + 15.0;
     const bool has_both = row.as_found && row.as_left;
@@ -170,9 +171,9 @@ class LimitPicture {
       value_width = std::max(value_width, write(drawing, is_left ? *row.as_left : *row.as_found,
                                                 is_left, right, line));
     }
-    const double room = right - kMargin - value_width - 14.0;
-    drawing.text(kMargin, top + 15.0, row.name, {.is_bold = true, .most_width = room});
-    drawing.text(kMargin, top + 31.0, row.symbol,
+    const double room = right - kBarMargin - value_width - 14.0;
+    drawing.text(kBarMargin, top + 15.0, row.name, {.is_bold = true, .most_width = room});
+    drawing.text(kBarMargin, top + 31.0, row.symbol,
                  {.style = "tick", .size = 12.0, .most_width = has_both ? room : 220.0});
     if (row.mpe > 0.0) draw_track(drawing, row, top + (has_both ? kExtraLine : 0.0) + 43.0);
   }
@@ -217,7 +218,7 @@ class LimitPicture {
     // Above the limit's tick, where nothing else is.
     const double limit = x_.at(1.0);
     const double half = 0.5 * text_width(row.limit, 12.0);
-    drawing.text(std::min(limit, kWidth - 2.0 - half), y + kTrack + 15.0, row.limit,
+    drawing.text(std::min(limit, kBarWidth - 2.0 - half), y + kTrack + 15.0, row.limit,
                  {.style = "tick", .anchor = TextAnchor::middle, .size = 12.0});
     if (row.as_found) draw(drawing, row, *row.as_found, false, y + 0.5 * kTrack);
     if (row.as_left) draw(drawing, row, *row.as_left, true, y + 0.5 * kTrack);

@@ -26,7 +26,7 @@ OrderedJson numbers(const std::vector<double>& values) {
   return list;
 }
 
-OrderedJson json_of(const ChartAxis& axis) {
+OrderedJson live_json(const ChartAxis& axis) {
   const auto end = [](const std::optional<double>& value) {
     return value ? short_number(*value) : OrderedJson(nullptr);
   };
@@ -50,7 +50,7 @@ const char* name_of(Mark mark) {
   return "dots";
 }
 
-OrderedJson json_of(const ChartSeries& series) {
+OrderedJson live_json(const ChartSeries& series) {
   OrderedJson json = {{"name", series.name},
                       {"mark", name_of(series.mark)},
                       {"style", series.style},
@@ -65,7 +65,7 @@ OrderedJson json_of(const ChartSeries& series) {
 
 std::string live_chart(const Chart& chart) {
   OrderedJson series = OrderedJson::array();
-  for (const ChartSeries& each : chart.series) series.push_back(json_of(each));
+  for (const ChartSeries& each : chart.series) series.push_back(live_json(each));
   OrderedJson lines = OrderedJson::array();
   for (const ChartLine& line : chart.lines) {
     if (!std::isfinite(line.at)) continue;
@@ -75,8 +75,8 @@ std::string live_chart(const Chart& chart) {
                      {"tone", tone_class(line.tone)}});
   }
   const OrderedJson json = {{"kind", "chart"},
-                            {"x", json_of(chart.x)},
-                            {"y", json_of(chart.y)},
+                            {"x", live_json(chart.x)},
+                            {"y", live_json(chart.y)},
                             {"equal", chart.equal_scales},
                             {"series", std::move(series)},
                             {"lines", std::move(lines)}};

@@ -13,8 +13,8 @@
 namespace armcal {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
 
 bool is_nice(double step) {
   const double exponent = std::floor(std::log10(step) + 1e-9);
@@ -99,8 +99,8 @@ TEST(ChartScale, TextsBelowAnAxisDoNotMeetAndStayEven) {
 }
 
 TEST(ChartScale, AnAxisOfAnyDataHasALengthThatCanBeDivided) {
-  const double values[] = {0.0,   1.0,    -1.0, 500.0,    1e-300, 1e300,    -1e308,
-                           1e308, 1e-310, 1e15, 1e15 + 1, kNan,   kInfinity};
+  const double values[] = {0.0,   1.0,    -1.0, 500.0,    1e-300,      1e300,    -1e308,
+                           1e308, 1e-310, 1e15, 1e15 + 1, kNotANumber, kInfinite};
   for (const AxisScale scale : {AxisScale::linear, AxisScale::logarithmic}) {
     for (const double a : values) {
       for (const double b : values) {

@@ -14,8 +14,8 @@ namespace armcal {
 namespace {
 
 using namespace std::string_literals;
-using testing::HasSubstr;
-using testing::Not;
+using ::testing::HasSubstr;
+using ::testing::Not;
 
 const std::string kHostile = "<script>alert('1')</script> \"q\" & {{title}} </style> \u202egnp.exe";
 

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "armcal/report/calibration_quality.h"
 #include "armcal/report/number_format.h"
 #include "armcal/report/pages/calibration_figures.h"
 #include "armcal/report/pages/parameter_table.h"
@@ -17,9 +18,7 @@ namespace armcal {
 namespace {
 
 constexpr std::size_t kWorstRows = 10;
-constexpr double kPromised = 0.95;     // share of held-out rows in their predicted regions
-constexpr double kTooFew = 0.9;        // below it the model is too small for the readings
-constexpr double kTooUnlikely = 1e-3;  // probability of chi-squared
+constexpr double kPromised = 0.95;  // share of held-out rows in their predicted regions
 
 // Root mean square over all groups of one kind of statistics.
 struct Pooled {
@@ -54,13 +53,14 @@ Quality quality_of(const DocumentView& document) {
   }
   quality.coverage = document.number_if("check_coverage");
   quality.sigma0 = document.number("sigma0");
-  quality.scatters_more = document.number("dof") > 0 && quality.sigma0 > 1.0 &&
-                          document.number("chi2_probability") < kTooUnlikely;
-  quality.model_too_small = quality.coverage && *quality.coverage < kTooFew;
+  quality.scatters_more =
+      document.number("dof") > 0 &&
+      scatters_more_than_stated(quality.sigma0, document.number("chi2_probability"));
+  quality.model_too_small = quality.coverage && is_model_too_small(*quality.coverage);
   return quality;
 }
 
-Stamp stamp_of(const Quality& quality, const Language& say) {
+Stamp calibration_stamp(const Quality& quality, const Language& say) {
   std::string reservation;
   if (quality.model_too_small) {
     reservation = say("calibration.model_too_small", fixed(100.0 * *quality.coverage, 1));
@@ -73,7 +73,8 @@ Stamp stamp_of(const Quality& quality, const Language& say) {
   return {say("calibration.with_reservation"), reservation, Tone::warning};
 }
 
-Headlines headlines_of(const Quality& quality, const DocumentView& document, const Language& say) {
+Headlines calibration_headlines(const Quality& quality, const DocumentView& document,
+                                const Language& say) {
   Headlines headlines;
   const auto add = [&](const char* label, const Pooled& pooled, const char* note) {
     if (pooled.count == 0.0) return;
@@ -140,9 +141,10 @@ Table groups_table(const DocumentView& document, const Language& say) {
   return table;
 }
 
-Section summary_section(const DocumentView& document, const Quality& quality, const Language& say) {
+Section calibration_summary_section(const DocumentView& document, const Quality& quality,
+                                    const Language& say) {
   Section section{"summary", say("calibration.summary"), "", {}};
-  section.blocks.push_back(headlines_of(quality, document, say));
+  section.blocks.push_back(calibration_headlines(quality, document, say));
   section.blocks.push_back(groups_table(document, say));
   return section;
 }
@@ -177,7 +179,7 @@ std::string unseen_text(const DocumentView& direction, const Language& say) {
   return like.empty() ? direction.text("description") : say("calibration.unseen_like", held, like);
 }
 
-Section unseen_section(const DocumentView& document, const Language& say) {
+Section calibration_unseen_section(const DocumentView& document, const Language& say) {
   Section section{"unseen", say("calibration.unseen"), say("calibration.unseen_lead"), {}};
   Notice notice{Tone::neutral, "", {}};
   for (const DocumentView& direction : document.list("null_space")) {
@@ -256,14 +258,14 @@ Page calibration_page(const DocumentView& document, const Language& say) {
   page.title = say("calibration.title");
   page.subtitle = document.text("arm_name");
   const Quality quality = quality_of(document);
-  page.stamp = stamp_of(quality, say);
+  page.stamp = calibration_stamp(quality, say);
   const std::vector<ResidualRow> rows =
       document.has("rows") ? residual_rows(document) : std::vector<ResidualRow>();
-  page.sections.push_back(summary_section(document, quality, say));
+  page.sections.push_back(calibration_summary_section(document, quality, say));
   if (!rows.empty()) page.sections.push_back(arm_section(document, rows, say));
   page.sections.push_back(parameters_section(document, say));
   page.sections.back().blocks.emplace_back(parameter_changes(document, say));
-  page.sections.push_back(unseen_section(document, say));
+  page.sections.push_back(calibration_unseen_section(document, say));
   page.sections.push_back(residuals_section(document, rows, say));
   if (!rows.empty()) page.sections.push_back(coverage_section(document, rows, say));
   page.sections.push_back(numerics_section(document, say));
@@ -274,7 +276,7 @@ Page identifiability_page(const DocumentView& document, const Language& say) {
   Page page;
   page.title = say("identifiability.title");
   page.subtitle = document.text("arm_name");
-  page.sections = {parameters_section(document, say), unseen_section(document, say)};
+  page.sections = {parameters_section(document, say), calibration_unseen_section(document, say)};
   return page;
 }
 

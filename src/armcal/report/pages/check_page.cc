@@ -12,11 +12,10 @@
 #include "armcal/report/pages/phrase_book.h"
 #include "armcal/report/pages/verdict_words.h"
 #include "armcal/report/shown_number.h"
+#include "armcal/verification/drift.h"
 
 namespace armcal {
 namespace {
-
-constexpr double kMonth_days = 30.0;
 
 struct BrokenRule {
   std::string check;
@@ -60,7 +59,7 @@ bool exceeds_now(const DocumentView& document, const Language& say) {
 
 bool has_check(const DocumentView& document) { return document.has("tests"); }
 
-Stamp stamp_of(const DocumentView& document, const Language& say) {
+Stamp check_stamp(const DocumentView& document, const Language& say) {
   const std::size_t broken = broken_now(document, say);
   const std::string unusual = say("check.sentence.unusual");
   if (!has_check(document)) {
@@ -96,7 +95,7 @@ void add_drifts(const DocumentView& document, const Language& say, Headlines& he
   }
 }
 
-Headlines headlines_of(const DocumentView& document, const Language& say) {
+Headlines check_headlines(const DocumentView& document, const Language& say) {
   Headlines headlines;
   const auto tests = has_check(document) ? document.list("tests") : std::vector<DocumentView>();
   for (const DocumentView& test : tests) {
@@ -110,7 +109,7 @@ Headlines headlines_of(const DocumentView& document, const Language& say) {
   return headlines;
 }
 
-Table tests_table(const DocumentView& document, const Language& say) {
+Table check_tests_table(const DocumentView& document, const Language& say) {
   Table table;
   table.caption = say("check.tests");
   table.columns = {{say("check.quantity"), false},
@@ -133,7 +132,7 @@ Table tests_table(const DocumentView& document, const Language& say) {
   return table;
 }
 
-Section definitions_section(const DocumentView& document, const Language& say) {
+Section check_definitions_section(const DocumentView& document, const Language& say) {
   Table table;
   table.columns = {{say("check.quantity"), false}, {say("check.definition"), false}};
   for (const DocumentView& test : document.list("tests")) {
@@ -143,7 +142,7 @@ Section definitions_section(const DocumentView& document, const Language& say) {
   return {"definitions", say("verification.definitions"), "", {table}};
 }
 
-Table places_table(const DocumentView& document, const Language& say) {
+Table check_places_table(const DocumentView& document, const Language& say) {
   Table table;
   table.caption = say("check.places");
   table.columns = {
@@ -156,16 +155,16 @@ Table places_table(const DocumentView& document, const Language& say) {
   return table;
 }
 
-Section summary_section(const DocumentView& document, const Language& say) {
+Section check_summary_section(const DocumentView& document, const Language& say) {
   Section section{"summary", say("verification.summary"), "", {}};
-  Headlines headlines = headlines_of(document, say);
+  Headlines headlines = check_headlines(document, say);
   if (!headlines.items.empty()) section.blocks.emplace_back(std::move(headlines));
   if (!has_check(document)) {
     section.blocks.emplace_back(Paragraph{say("check.history_only")});
     return section;
   }
-  section.blocks.push_back(tests_table(document, say));
-  section.blocks.push_back(places_table(document, say));
+  section.blocks.push_back(check_tests_table(document, say));
+  section.blocks.push_back(check_places_table(document, say));
   return section;
 }
 
@@ -249,8 +248,8 @@ Page check_page(const DocumentView& document, const Language& say) {
   page.title = say("check.title");
   page.subtitle = document.text("arm_name");
   page.head = head_of(document, say);
-  page.stamp = stamp_of(document, say);
-  page.sections.push_back(summary_section(document, say));
+  page.stamp = check_stamp(document, say);
+  page.sections.push_back(check_summary_section(document, say));
   const std::vector<DocumentView> trends = document.list("trends");
   for (std::size_t i = 0; i < trends.size(); ++i) {
     page.sections.push_back(trend_section(trends[i], i + 1, say));
@@ -259,7 +258,7 @@ Page check_page(const DocumentView& document, const Language& say) {
     page.sections.push_back(
         {"history", say("check.history"), "", {Paragraph{say("check.no_history")}}});
   }
-  if (has_check(document)) page.sections.push_back(definitions_section(document, say));
+  if (has_check(document)) page.sections.push_back(check_definitions_section(document, say));
   return page;
 }
 

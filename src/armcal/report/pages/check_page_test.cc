@@ -10,6 +10,7 @@
 
 #include "armcal/report/check_report.h"
 #include "armcal/testing/page_laws.h"
+#include "armcal/testing/weekly_checks.h"
 
 namespace armcal {
 namespace {
@@ -22,20 +23,7 @@ using testing::section_of;
 using testing::words_of;
 
 // A check a week from 2026-01-05 on.
-CheckTrend weekly(const std::vector<double>& values_mm) {
-  CheckTrend trend;
-  trend.name = "length_error";
-  trend.limit_mm = 0.05;
-  trend.is_signed = true;
-  trend.baseline = 4;
-  for (std::size_t i = 0; i < values_mm.size(); ++i) {
-    const auto number = static_cast<std::int64_t>(i);
-    trend.points.push_back({number + 1, 1767571200 + 604800 * number, values_mm[i]});
-  }
-  return judged(trend);
-}
-
-CheckSummary example(const std::vector<double>& history_mm) {
+CheckSummary check_example(const std::vector<double>& history_mm) {
   const std::vector<TouchedPlace> places = {
       {"A", {{0, 0, 0}, {0.03, 0, 0}, {-0.03, 0, 0}}},
       {"B", {{400.01, 0, 0}, {400.01, 0.03, 0}, {400.01, -0.03, 0}}}};
@@ -49,11 +37,11 @@ CheckSummary example(const std::vector<double>& history_mm) {
   summary.time = 1767571200;
   summary.check = check_arm(places, options);
   summary.history = "checks.db";
-  if (!history_mm.empty()) summary.trends = {weekly(history_mm)};
+  if (!history_mm.empty()) summary.trends = {testing::weekly_checks(history_mm)};
   return summary;
 }
 
-Page page_of_example(const CheckSummary& summary, const std::string& language = "en") {
+Page check_page_of_example(const CheckSummary& summary, const std::string& language = "en") {
   return page_in(language, document_of("check", json_result(summary)));
 }
 
@@ -61,7 +49,7 @@ const std::vector<double> kQuiet = {0.00, 0.01, 0.00, 0.01, 0.005};
 const std::vector<double> kRising = {0.000, 0.002, 0.004, 0.006, 0.030};
 
 TEST(CheckPage, ShowsEachNumberAgainstItsLimit) {
-  const Page page = page_of_example(example(kQuiet));
+  const Page page = check_page_of_example(check_example(kQuiet));
   EXPECT_EQ(page.stamp.word, "Fail");
   EXPECT_EQ(page.subtitle, "arm 7");
   EXPECT_THAT(words_of(page), HasSubstr("Largest deviation | 0.0300 | 0.0200 | 150 | fail | "));
@@ -70,7 +58,7 @@ TEST(CheckPage, ShowsEachNumberAgainstItsLimit) {
 }
 
 TEST(CheckPage, DrawsTheHistoryWithCentreLimitsAndDrift) {
-  const Section section = section_of(page_of_example(example(kQuiet)), "trend-of-1");
+  const Section section = section_of(check_page_of_example(check_example(kQuiet)), "trend-of-1");
   const Figure& figure = std::get<Figures>(section.blocks.at(0)).items.at(0);
   // Centre 0.005; sigma 0.01 / 1.128 of the first four.
   EXPECT_THAT(figure.text, HasSubstr("Centre 0.0050 mm and σ = 0.0089 mm come from the first 4"));
@@ -81,50 +69,52 @@ TEST(CheckPage, DrawsTheHistoryWithCentreLimitsAndDrift) {
 
 TEST(CheckPage, NamesBrokenRulesInTheLanguageOfTheReader) {
   EXPECT_THAT(
-      words_of(page_of_example(example(kRising))),
+      words_of(check_page_of_example(check_example(kRising))),
       HasSubstr("5 | 2026-02-02 | 1 check more than 3 σ above the centre line (rule 1) | "));
-  EXPECT_THAT(words_of(page_of_example(example(kRising), "zh")),
+  EXPECT_THAT(words_of(check_page_of_example(check_example(kRising), "zh")),
               HasSubstr("5 | 2026-02-02 | 1 次核查超出中心线上方 3 σ（准则 1） | "));
 }
 
 TEST(CheckPage, SaysTheDriftWithItsUncertainty) {
-  const CheckSummary rising = example(kRising);
+  const CheckSummary rising = check_example(kRising);
   const double slope = 30.0 * rising.trends[0].drift->mm_per_day;
-  EXPECT_THAT(words_of(page_of_example(rising)), HasSubstr(fmt::format("+{:.4f} mm (u = ", slope)));
-  EXPECT_THAT(words_of(page_of_example(example(kQuiet))), HasSubstr("No drift beyond chance"));
+  EXPECT_THAT(words_of(check_page_of_example(rising)),
+              HasSubstr(fmt::format("+{:.4f} mm (u = ", slope)));
+  EXPECT_THAT(words_of(check_page_of_example(check_example(kQuiet))),
+              HasSubstr("No drift beyond chance"));
 }
 
 // What exceeds no limit may still have changed.
 TEST(CheckPage, WarnsOfTheLastCheckBesideAPass) {
-  CheckSummary summary = example(kRising);
+  CheckSummary summary = check_example(kRising);
   for (CheckValue& value : summary.check->values) {
     if (value.verdict == Verdict::fail) value.verdict = Verdict::pass;
   }
-  const Page page = page_of_example(summary);
+  const Page page = check_page_of_example(summary);
   EXPECT_EQ(page.stamp.word, "Pass");
   EXPECT_EQ(page.stamp.tone, Tone::warning);
 }
 
 TEST(CheckPage, StandsWithoutHistoryAndWithoutCheck) {
-  CheckSummary alone = example({});
+  CheckSummary alone = check_example({});
   alone.history.reset();
-  EXPECT_THAT(words_of(page_of_example(alone)), HasSubstr("was not saved in a history"));
+  EXPECT_THAT(words_of(check_page_of_example(alone)), HasSubstr("was not saved in a history"));
 
-  CheckSummary look = example(kQuiet);
+  CheckSummary look = check_example(kQuiet);
   look.check.reset();
-  const Page page = page_of_example(look);
+  const Page page = check_page_of_example(look);
   EXPECT_EQ(page.stamp.word, "As usual");
   EXPECT_THAT(words_of(page), Not(HasSubstr("Values against their limits")));
 
-  look.trends = {weekly({0.00, 0.01, 0.00, 0.01, 0.06})};
-  EXPECT_EQ(page_of_example(look).stamp.word, "Limit exceeded");
+  look.trends = {testing::weekly_checks({0.00, 0.01, 0.00, 0.01, 0.06})};
+  EXPECT_EQ(check_page_of_example(look).stamp.word, "Limit exceeded");
 
   // One check: no centre line, no drift.
-  EXPECT_THAT(words_of(page_of_example(example({0.01}))), HasSubstr("too few checks"));
+  EXPECT_THAT(words_of(check_page_of_example(check_example({0.01}))), HasSubstr("too few checks"));
 }
 
 TEST(CheckPage, RefusesATimeThatIsNone) {
-  Json document = document_of("check", json_result(example(kQuiet)));
+  Json document = document_of("check", json_result(check_example(kQuiet)));
   document["trends"][0]["checks"][1]["time"] = "yesterday";
   try {
     (void)page_in("en", document);
@@ -135,7 +125,7 @@ TEST(CheckPage, RefusesATimeThatIsNone) {
 }
 
 TEST(CheckPage, KeepsTheLawsOfPages) {
-  testing::expect_page_laws(document_of("check", json_result(example(kRising))));
+  testing::expect_page_laws(document_of("check", json_result(check_example(kRising))));
 }
 
 }  // namespace

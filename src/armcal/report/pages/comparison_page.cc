@@ -45,7 +45,7 @@ Figure scatter(const char* id, const std::string& title, const std::string& axis
   return figure_of(chart);
 }
 
-std::string remark_of(const DocumentView& method) {
+std::string comparison_remark(const DocumentView& method) {
   std::string remark = method.text_if("remark").value_or("");
   if (const auto problem = method.text_if("problem")) {
     remark += fmt::format("{}{}", remark.empty() ? "" : "; ", *problem);
@@ -73,7 +73,7 @@ std::vector<Cell> drawn_row(const DocumentView& method, std::size_t number) {
                                  : ""});
     row.push_back({seconds_cell(method.number("seconds"))});
   }
-  row.push_back({remark_of(method)});
+  row.push_back({comparison_remark(method)});
   return row;
 }
 
@@ -149,7 +149,7 @@ std::vector<Cell> session_row(const DocumentView& method, std::size_t number) {
     row.push_back({over_stated ? ratio_cell(*over_stated) : ""});
   }
   row.push_back({seconds_cell(method.number("seconds"))});
-  row.push_back({remark_of(method)});
+  row.push_back({comparison_remark(method)});
   return row;
 }
 
@@ -187,7 +187,7 @@ Page session(const DocumentView& document, const Language& say) {
 
 // --- what the paper of 2016 neglects
 
-std::string percent(double share) { return fmt::format("{:.0f} %", 100.0 * share); }
+std::string whole_percent(double share) { return fmt::format("{:.0f} %", 100.0 * share); }
 
 Page paper_sphere(const DocumentView& document, const Language& say) {
   Table table;
@@ -208,7 +208,7 @@ Page paper_sphere(const DocumentView& document, const Language& say) {
       const DocumentView errors = effect[key];
       row.push_back({error_cell(errors.number("median_mm"))});
       row.push_back({error_cell(errors.number("largest95_mm"))});
-      row.push_back({percent(errors.number("share_as_large"))});
+      row.push_back({whole_percent(errors.number("share_as_large"))});
     }
     row.push_back({error_cell(effect["five_articulations"].number("median_form_mm"))});
     table.rows.push_back(std::move(row));

@@ -17,7 +17,7 @@
 namespace armcal {
 namespace {
 
-constexpr int kCheckStyle = 0;  // and of the line through the checks
+constexpr int kUsualStyle = 0;  // and of the line through the checks
 constexpr int kBrokenStyle = 1;
 constexpr int kBandStyle = 2;
 constexpr double kSeconds_per_day = 86400.0;
@@ -34,7 +34,7 @@ TrendDrift drift_of(const DocumentView& drift) {
 ChartSeries series_of(const TrendHistory& trend, bool broken, const Language& say) {
   ChartSeries series;
   series.name = say(broken ? "check.breaks_a_rule" : "check.checks");
-  series.style = broken ? kBrokenStyle : kCheckStyle;
+  series.style = broken ? kBrokenStyle : kUsualStyle;
   for (const TrendCheck& each : trend.checks) {
     if (each.breaks_a_rule != broken) continue;
     series.x.push_back(each.days);
@@ -68,7 +68,7 @@ void add_drift(const TrendHistory& trend, const Language& say, Chart& chart) {
   for (const double side : {0.0, 1.0, -1.0}) {
     ChartSeries line;
     line.mark = Mark::line;
-    line.style = side == 0.0 ? kCheckStyle : kBandStyle;
+    line.style = side == 0.0 ? kUsualStyle : kBandStyle;
     if (side >= 0.0) line.name = say(side == 0.0 ? "check.drift" : "check.drift_band");
     for (int i = 0; i <= kSteps; ++i) {
       const double day = last * i / kSteps;

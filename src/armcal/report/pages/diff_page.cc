@@ -25,13 +25,13 @@ bool is_idle(const DocumentView& change) {
   return change.number("u") == 0.0 && change.number("change") == 0.0;
 }
 
-Cell remark_of(const DocumentView& change, const Language& say) {
+Cell diff_remark(const DocumentView& change, const Language& say) {
   if (change.flag("held_in_one")) return {say("diff.held_in_one")};
   if (has_changed(change)) return {say("diff.changed"), Tone::warning};
   return {""};
 }
 
-Table table_of(const DocumentView& document, const Language& say) {
+Table changes_table(const DocumentView& document, const Language& say) {
   Table table;
   table.caption = say("diff.caption");
   table.columns = {{say("parameters.name"), false},
@@ -55,7 +55,7 @@ Table table_of(const DocumentView& document, const Language& say) {
                           {fixed(u, decimals)},
                           {shown.unit},
                           {ratio ? fixed(*ratio, 1) : "\u2013"},
-                          remark_of(change, say)});
+                          diff_remark(change, say)});
   }
   table.note = say("diff.note");
   return table;
@@ -94,7 +94,7 @@ Page diff_page(const DocumentView& document, const Language& say) {
   page.sections.push_back({"changes",
                            say("diff.caption"),
                            say("diff.lead"),
-                           {table_of(document, say), Figures{{ratios_of(document, say)}}}});
+                           {changes_table(document, say), Figures{{ratios_of(document, say)}}}});
   return page;
 }
 

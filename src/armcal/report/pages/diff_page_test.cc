@@ -30,7 +30,7 @@ Json change(const std::string& name, const std::string& unit, double before, dou
           {"held_in_one", held_in_one}};
 }
 
-Json document_with(const Json& changes) {
+Json document_with_changes(const Json& changes) {
   Json result;
   result["changes"] = changes;
   return document_of("diff", result);
@@ -38,8 +38,8 @@ Json document_with(const Json& changes) {
 
 TEST(DiffPage, RoundsChangesToTheirUncertaintyAndShowsAnglesInDegrees) {
   const double rad = 3.14159265358979 / 180.0;
-  const Page page =
-      page_in("en", document_with({change("a5", "mm", 78.3121, 78.3149, 0.0021),
+  const Page page = page_in(
+      "en", document_with_changes({change("a5", "mm", 78.3121, 78.3149, 0.0021),
                                    change("zero2", "rad", 0.1 * rad, 0.102 * rad, 0.001 * rad)}));
   EXPECT_THAT(words_of(page), HasSubstr("a5 | 78.3121 | 78.3149 | 0.0028 | 0.0021 | mm | 1.3"));
   EXPECT_THAT(words_of(page), HasSubstr("zero2 | 0.1000 | 0.1020 | 0.0020 | 0.0010 | deg | 2.0"));
@@ -47,23 +47,24 @@ TEST(DiffPage, RoundsChangesToTheirUncertaintyAndShowsAnglesInDegrees) {
 }
 
 TEST(DiffPage, CountsWhatChangedByMoreThanThreeTimesItsUncertainty) {
-  const Page page = page_in(
-      "en", document_with({change("a5", "mm", 78.0, 78.1, 0.01), change("b3", "mm", 5.0, 5.0, 0.01),
-                           change("d3", "mm", 0.0, 0.4, 0.01, true)}));
+  const Page page =
+      page_in("en", document_with_changes({change("a5", "mm", 78.0, 78.1, 0.01),
+                                           change("b3", "mm", 5.0, 5.0, 0.01),
+                                           change("d3", "mm", 0.0, 0.4, 0.01, true)}));
   EXPECT_EQ(page.stamp.tone, Tone::warning);
   EXPECT_THAT(page.stamp.sentence, HasSubstr(": 1."));
   EXPECT_THAT(words_of(page), HasSubstr("held in one of them"));
 }
 
 TEST(DiffPage, LeavesOutWhatNeitherEstimatedNorMoved) {
-  const Page page = page_in("en", document_with({change("beta2", "rad", 0.0, 0.0, 0.0),
-                                                 change("a5", "mm", 78.0, 78.0, 0.01)}));
+  const Page page = page_in("en", document_with_changes({change("beta2", "rad", 0.0, 0.0, 0.0),
+                                                         change("a5", "mm", 78.0, 78.0, 0.01)}));
   EXPECT_THAT(words_of(page), Not(HasSubstr("beta2")));
 }
 
 TEST(DiffPage, KeepsTheLawsOfPages) {
-  testing::expect_page_laws(
-      document_with({change("a5", "mm", 78.0, 78.1, 0.01), change("zero2", "rad", 0.0, 0.0, 0.0)}));
+  testing::expect_page_laws(document_with_changes(
+      {change("a5", "mm", 78.0, 78.1, 0.01), change("zero2", "rad", 0.0, 0.0, 0.0)}));
 }
 
 }  // namespace

@@ -12,7 +12,7 @@
 namespace armcal {
 namespace {
 
-Headlines headlines_of(const DocumentView& document, const Language& say) {
+Headlines half_turn_headlines(const DocumentView& document, const Language& say) {
   const auto readings = document.list("readings");
   return {{{say("half_turn_plan.readings"), whole(static_cast<double>(readings.size())), "",
             say("half_turn_plan.readings_note", whole(document.number("candidates")))},
@@ -25,7 +25,7 @@ Headlines headlines_of(const DocumentView& document, const Language& say) {
             say("half_turn_plan.redundancy_note")}}};
 }
 
-Table parameters_of(const DocumentView& document, const Language& say) {
+Table half_turn_parameters(const DocumentView& document, const Language& say) {
   Table table;
   table.caption = say("half_turn_plan.predicted");
   table.columns = {{say("parameters.name"), false}, {"u"}, {say("parameters.unit"), false}};
@@ -72,7 +72,7 @@ Page half_turn_plan_page(const DocumentView& document, const Language& say) {
   page.sections.push_back({"summary",
                            say("calibration.summary"),
                            say("half_turn_plan.lead"),
-                           {headlines_of(document, say)}});
+                           {half_turn_headlines(document, say)}});
   page.sections.push_back({"worksheet",
                            say("half_turn_plan.worksheet_title"),
                            say("half_turn_plan.worksheet_lead"),
@@ -90,7 +90,7 @@ Page half_turn_plan_page(const DocumentView& document, const Language& say) {
   page.sections.push_back({"parameters",
                            say("parameters.title"),
                            say("half_turn_plan.parameters_lead"),
-                           {parameters_of(document, say)}});
+                           {half_turn_parameters(document, say)}});
   return page;
 }
 

@@ -19,7 +19,7 @@ using ::testing::MatchesRegex;
 using testing::page_in;
 using testing::section_of;
 
-std::string refusal_of(const Json& document) {
+std::string refusal_of_any(const Json& document) {
   try {
     (void)page_in("en", document);
   } catch (const InputError& error) {
@@ -40,20 +40,20 @@ TEST(PageOf, EndsWithTheOriginOfTheNumbers) {
 TEST(PageOf, RefusesWhatIsNoResult) {
   for (const Json& document : {Json(), Json(1), Json("x"), Json::array(), Json::object(),
                                Json{{"schema", nullptr}}, Json{{"radius", 1.5}}}) {
-    EXPECT_THAT(refusal_of(document), HasSubstr("saved.json: error: is no result of armcal\n"));
+    EXPECT_THAT(refusal_of_any(document), HasSubstr("saved.json: error: is no result of armcal\n"));
   }
-  EXPECT_THAT(refusal_of({{"schema", 1}}), HasSubstr("key schema: is not a text"));
+  EXPECT_THAT(refusal_of_any({{"schema", 1}}), HasSubstr("key schema: is not a text"));
 }
 
 TEST(PageOf, ReadsEveryMinorVersionOfItsSchemaAndNoOther) {
   Json document = circle();
   document["schema"] = "armcal.result/1.4";  // minor versions only add
-  EXPECT_EQ(refusal_of(document), "");
+  EXPECT_EQ(refusal_of_any(document), "");
   for (const char* schema : {"armcal.result/2", "armcal.result/10", "armcal.result/1x",
                              "armcal.result", "armcal.session/1", "", "<script>"}) {
     document["schema"] = schema;
     EXPECT_THAT(
-        refusal_of(document),
+        refusal_of_any(document),
         HasSubstr(fmt::format("key schema: is \"{}\"; this armcal reads armcal.result/1", schema)));
   }
 }
@@ -61,14 +61,14 @@ TEST(PageOf, ReadsEveryMinorVersionOfItsSchemaAndNoOther) {
 TEST(PageOf, RefusesTheDocumentOfAFailure) {
   DocumentHead head;
   head.command = "calibrate";
-  EXPECT_THAT(refusal_of(Json::parse(json_error(head, 2, "error: no such file\n"))),
+  EXPECT_THAT(refusal_of_any(Json::parse(json_error(head, 2, "error: no such file\n"))),
               HasSubstr("key error: the command failed, so there is no result to report"));
 }
 
 TEST(PageOf, WantsToKnowTheCommand) {
   Json document = circle();
   document.erase("command");
-  EXPECT_THAT(refusal_of(document), HasSubstr("key command: is missing"));
+  EXPECT_THAT(refusal_of_any(document), HasSubstr("key command: is missing"));
 }
 
 std::string number_of(const Json& document) { return page_in("en", document).number; }

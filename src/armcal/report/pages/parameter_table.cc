@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kDecimalsOfHeld = 4;
 
-std::vector<Cell> row_of(const DocumentView& parameter, const Language& say) {
+std::vector<Cell> parameter_row(const DocumentView& parameter, const Language& say) {
   const ShownUnit shown = shown_unit(parameter.text("name"), parameter.text("unit"));
   const std::string status = parameter.text("status");
   const bool held = status == "held";
@@ -49,7 +49,7 @@ Table parameter_table(const DocumentView& document, const Language& say) {
       parameter["status"].complain("is none of held, free, prior");
     }
     if (status == "held" && parameter.number("value") == 0.0) continue;
-    table.rows.push_back(row_of(parameter, say));
+    table.rows.push_back(parameter_row(parameter, say));
   }
   table.note = say("parameters.note");
   return table;

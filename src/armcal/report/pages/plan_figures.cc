@@ -15,7 +15,7 @@ namespace armcal {
 namespace {
 
 // Of this drawing alone: classes under its own, colours of the page.
-constexpr const char* kStyle = R"(<style>
+constexpr const char* kFigureStyle = R"(<style>
   @media screen { .drawing svg.armcal-plan { min-width: 27rem; } }
   .armcal-plan text { font-family: inherit; font-size: 13px; fill: currentColor; stroke: none; }
   .armcal-plan .small { font-size: 12px; fill: var(--muted, currentColor); }
@@ -137,7 +137,7 @@ Figure view_of(const PlanScene& scene, bool from_above, const std::string& id,
       "<clipPath id=\"{5}-clip\"><rect width=\"{0:.0f}\" height=\"{0:.0f}\"/></clipPath>\n"
       "<g clip-path=\"url(#{5}-clip)\">\n{6}</g>\n{7}{8}</svg>\n",
       kSceneSize, kSceneSize + 12.0 + legend.height, 1.25 * kSceneSize, xml_escaped(figure.title),
-      kStyle, figure.id, scene_shapes(scene, from_above),
+      kFigureStyle, figure.id, scene_shapes(scene, from_above),
       scene_box("frame", {0.5, 0.5}, {kSceneSize - 0.5, kSceneSize - 0.5}), legend.shapes);
   return figure;
 }

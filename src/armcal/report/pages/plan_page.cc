@@ -14,11 +14,11 @@
 namespace armcal {
 namespace {
 
-constexpr const char* kPhrases = "verification_plan.phrase";
+constexpr const char* kPlanPhrases = "verification_plan.phrase";
 constexpr double kHardlyMoved = 0.25;  // of the range of a joint
 
-std::string title_of(const DocumentView& test, const Language& say) {
-  return in_language(test.text("title"), kPhrases, say);
+std::string plan_title(const DocumentView& test, const Language& say) {
+  return in_language(test.text("title"), kPlanPhrases, say);
 }
 
 std::string millimetres(const DocumentView& list) {
@@ -35,7 +35,7 @@ std::size_t points_of(const DocumentView& document) {
   return points;
 }
 
-Headlines headlines_of(const DocumentView& document, const Language& say) {
+Headlines plan_headlines(const DocumentView& document, const Language& say) {
   const std::vector<double> coverage = document.numbers("joint_coverage");
   Headlines headlines;
   headlines.items = {
@@ -85,7 +85,7 @@ Table coverage_table(const DocumentView& document, const Language& say) {
   for (std::size_t j = 1; j <= together.size(); ++j)
     table.columns.push_back({fmt::format("q{}", j)});
   for (const DocumentView& test : document.list("tests")) {
-    table.rows.push_back(coverage_row(title_of(test, say), test.list("readings").size(),
+    table.rows.push_back(coverage_row(plan_title(test, say), test.list("readings").size(),
                                       test.numbers("joint_coverage")));
   }
   table.rows.push_back(
@@ -98,7 +98,7 @@ void add_point(const Eigen::Vector3d& point, int decimals, std::vector<Cell>& ce
   for (const double each : point) cells.push_back({fixed(each, decimals)});
 }
 
-Table places_table(const std::vector<DocumentView>& tests, const Language& say) {
+Table plan_places_table(const std::vector<DocumentView>& tests, const Language& say) {
   Table table;
   table.caption = say("verification_plan.places");
   table.columns = {{say("verification_plan.test"), false},
@@ -112,7 +112,8 @@ Table places_table(const std::vector<DocumentView>& tests, const Language& say) 
                    {say("verification_plan.free_side", "z")}};
   const auto add = [&](const DocumentView& test, const char* thing, const std::string& position,
                        const Eigen::Vector3d& at_mm, const Eigen::Vector3d& free_side) {
-    std::vector<Cell> cells = {{title_of(test, say)}, {say(thing)}, {plan_position(position, say)}};
+    std::vector<Cell> cells = {
+        {plan_title(test, say)}, {say(thing)}, {plan_position(position, say)}};
     add_point(at_mm, 1, cells);
     add_point(free_side, 2, cells);
     table.rows.push_back(std::move(cells));
@@ -146,7 +147,7 @@ Table bars_table(const std::vector<DocumentView>& tests, const Language& say) {
   for (const DocumentView& test : tests) {
     for (const DocumentView& bar : test.list("bars")) {
       const std::vector<double> lengths = bar.numbers("lengths_mm");
-      std::vector<Cell> cells = {{title_of(test, say)},
+      std::vector<Cell> cells = {{plan_title(test, say)},
                                  {plan_position(bar.text("position"), say)},
                                  {lengths.empty() ? std::string() : fixed(lengths.back(), 1)}};
       add_point(point_under(bar, "end_A_mm"), 1, cells);
@@ -160,7 +161,8 @@ Table bars_table(const std::vector<DocumentView>& tests, const Language& say) {
 Facts covers_of(const std::vector<DocumentView>& tests, const Language& say) {
   Facts facts;
   for (const DocumentView& test : tests) {
-    facts.rows.emplace_back(title_of(test, say), in_language(test.text("covers"), kPhrases, say));
+    facts.rows.emplace_back(plan_title(test, say),
+                            in_language(test.text("covers"), kPlanPhrases, say));
   }
   return facts;
 }
@@ -173,7 +175,7 @@ Section standard_section(const DocumentView& document, const std::string& standa
   Figures figures = plan_figures(document, tests, id, say);
   if (!figures.items.empty()) section.blocks.emplace_back(std::move(figures));
   section.blocks.push_back(covers_of(tests, say));
-  Table places = places_table(tests, say);
+  Table places = plan_places_table(tests, say);
   if (!places.rows.empty()) section.blocks.emplace_back(std::move(places));
   Table bars = bars_table(tests, say);
   if (!bars.rows.empty()) section.blocks.emplace_back(std::move(bars));
@@ -209,7 +211,7 @@ Page verification_plan_page(const DocumentView& document, const Language& say) {
   page.title = say("verification_plan.title");
   page.subtitle = document.text_if("arm_name").value_or("");
   Section summary{"summary", say("verification.summary"), "", {}};
-  summary.blocks = {headlines_of(document, say), wishes_of(document, say),
+  summary.blocks = {plan_headlines(document, say), wishes_of(document, say),
                     coverage_table(document, say)};
   page.sections = {std::move(summary)};
   const std::vector<Standard> standards = standards_of(document, say);

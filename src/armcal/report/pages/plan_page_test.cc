@@ -21,7 +21,7 @@ using testing::page_in;
 using testing::section_of;
 using testing::words_of;
 
-constexpr const char* kCommand = "plan verification";
+constexpr const char* kPlanCommand = "plan verification";
 
 PlannedTest test_of(const std::string& name, const std::string& title, bool is_of_iso) {
   PlannedTest test;
@@ -37,7 +37,7 @@ PlannedTest test_of(const std::string& name, const std::string& title, bool is_o
   return test;
 }
 
-VerificationPlan example() {
+VerificationPlan plan_example() {
   VerificationPlan plan;
   plan.arm = testing::consistent_romer();
   plan.arm.name = "arm <7>";
@@ -57,7 +57,7 @@ VerificationPlan example() {
   return plan;
 }
 
-Json document_of_example() { return document_of(kCommand, json_result(example())); }
+Json document_of_example() { return document_of(kPlanCommand, json_result(plan_example())); }
 
 TEST(VerificationPlanPage, ShowsPlacesBarsAndCoverage) {
   const Page page = page_in("en", document_of_example());

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "armcal/report/calibration_quality.h"
 #include "armcal/report/chart/interval_chart.h"
 #include "armcal/report/number_format.h"
 #include "armcal/report/pages/verdict_words.h"
@@ -16,10 +17,9 @@ namespace {
 constexpr double kSameStylus = 2.795;
 constexpr double kCoverage = 2.0;
 constexpr double kLittleSwing_deg = 20.0;
-constexpr double kTooUnlikely = 1e-3;
 
 bool scatters_more(const DocumentView& document) {
-  return document.number("sigma0") > 1.0 && document.number("chi2_probability") < kTooUnlikely;
+  return scatters_more_than_stated(document.number("sigma0"), document.number("chi2_probability"));
 }
 
 std::string change_sentence(const DocumentView& document, const Language& say) {
@@ -27,7 +27,7 @@ std::string change_sentence(const DocumentView& document, const Language& say) {
                                                           : "probe.same_stylus");
 }
 
-Stamp stamp_of(const DocumentView& document, const Language& say) {
+Stamp probe_stamp(const DocumentView& document, const Language& say) {
   const Verdict verdict = verdict_in(document);
   const std::string U = mm_text(document.number("U_mm"));
   const std::string limit = mm_text(document.number_if("limit_mm"));
@@ -36,7 +36,7 @@ Stamp stamp_of(const DocumentView& document, const Language& say) {
           run_on({sentence, change_sentence(document, say)}, say), tone_of(verdict)};
 }
 
-Headlines headlines_of(const DocumentView& document, const Language& say) {
+Headlines probe_headlines(const DocumentView& document, const Language& say) {
   const auto limit = document.number_if("limit_mm");
   const DocumentView group = document.list("groups").at(0);
   Headlines headlines;
@@ -71,7 +71,7 @@ std::vector<Cell> cells_of(const DocumentView& coordinate) {
           {fixed(swing_deg, 0), swing_deg < kLittleSwing_deg ? Tone::warning : Tone::neutral}};
 }
 
-Table tip_table(const DocumentView& document, const Language& say) {
+Table probe_tip_table(const DocumentView& document, const Language& say) {
   Table table;
   table.caption = say("probe.tip");
   table.columns = {{say("probe.coordinate"), false}, {say("probe.before")}, {say("probe.after")},
@@ -110,9 +110,9 @@ Page probe_page(const DocumentView& document, const Language& say) {
   Page page;
   page.title = say("probe.title");
   page.subtitle = document.text("arm_name");
-  page.stamp = stamp_of(document, say);
+  page.stamp = probe_stamp(document, say);
   Section summary{"summary", say("verification.summary"), "", {}};
-  summary.blocks = {headlines_of(document, say), tip_table(document, say),
+  summary.blocks = {probe_headlines(document, say), probe_tip_table(document, say),
                     Figures{{change_figure(document, say)}}};
   page.sections = {std::move(summary)};
   return page;

@@ -18,7 +18,7 @@ using testing::page_in;
 using testing::words_of;
 
 /// The keys that the page reads; the whole document is tried on the examples.
-Json document_with(const Json& limit_mm, const std::string& verdict) {
+Json document_with_probe(const Json& limit_mm, const std::string& verdict) {
   Json result;
   result["arm_name"] = "arm 7";
   result["groups"] = {{{"name", "stylus"}, {"count", 25}, {"rms_mm", 0.0049}}};
@@ -46,7 +46,7 @@ Json document_with(const Json& limit_mm, const std::string& verdict) {
 }
 
 TEST(ProbePage, ShowsTheTipBeforeAndAfterRoundedToItsUncertainty) {
-  const Page page = page_in("en", document_with(0.03, "pass"));
+  const Page page = page_in("en", document_with_probe(0.03, "pass"));
   EXPECT_EQ(page.stamp.word, "Qualified");
   EXPECT_THAT(page.stamp.sentence, HasSubstr("another stylus, or a bent one"));
   EXPECT_THAT(words_of(page),
@@ -54,20 +54,22 @@ TEST(ProbePage, ShowsTheTipBeforeAndAfterRoundedToItsUncertainty) {
 }
 
 TEST(ProbePage, MarksACoordinateThatTheReadingsShowBadly) {
-  const Page page = page_in("en", document_with(0.03, "pass"));
+  const Page page = page_in("en", document_with_probe(0.03, "pass"));
   const auto& table = std::get<Table>(page.sections.at(0).blocks.at(1));
   EXPECT_EQ(table.rows[0].back().tone, Tone::neutral);
   EXPECT_EQ(table.rows[1].back().tone, Tone::warning);
 }
 
 TEST(ProbePage, JudgesOnlyAgainstALimit) {
-  EXPECT_EQ(page_in("en", document_with(0.01, "fail")).stamp.word, "Not qualified");
-  const Page page = page_in("zh", document_with(nullptr, "not_judged"));
+  EXPECT_EQ(page_in("en", document_with_probe(0.01, "fail")).stamp.word, "Not qualified");
+  const Page page = page_in("zh", document_with_probe(nullptr, "not_judged"));
   EXPECT_EQ(page.stamp.word, "未判定");
   EXPECT_THAT(page.stamp.sentence, HasSubstr("未给定限值"));
 }
 
-TEST(ProbePage, KeepsTheLawsOfPages) { testing::expect_page_laws(document_with(0.03, "pass")); }
+TEST(ProbePage, KeepsTheLawsOfPages) {
+  testing::expect_page_laws(document_with_probe(0.03, "pass"));
+}
 
 }  // namespace
 }  // namespace armcal

@@ -14,11 +14,11 @@
 namespace armcal {
 namespace {
 
-constexpr double kWidth = 520.0;
+constexpr double kSphereWidth = 520.0;
 constexpr double kRadius = 112.0;
 constexpr double kTop = 52.0;
 constexpr double kCentre_y = kTop + kRadius;
-constexpr double kHeight = kCentre_y + kRadius + 34.0;
+constexpr double kSphereHeight = kCentre_y + kRadius + 34.0;
 constexpr double kMiddles_x[] = {134.0, 386.0};
 constexpr double kLargestMark = 9.0, kSmallestMark = 2.0;
 constexpr double kHalfWayDown = 0.5;  // of the height of a half sphere, as a circle
@@ -36,8 +36,8 @@ void draw_half(SvgDrawing& drawing, double x, const std::string& caption) {
   drawing.text(x + kRadius + 5.0, kCentre_y + 4.0, "x", {.style = "tick", .size = 12.0});
   drawing.text(x, kCentre_y - kRadius - 6.0, "y",
                {.style = "tick", .anchor = TextAnchor::middle, .size = 12.0});
-  drawing.text(x, kHeight - 10.0, caption,
-               {.anchor = TextAnchor::middle, .most_width = 0.48 * kWidth});
+  drawing.text(x, kSphereHeight - 10.0, caption,
+               {.anchor = TextAnchor::middle, .most_width = 0.48 * kSphereWidth});
 }
 
 void draw_mark(SvgDrawing& drawing, double x, double y, double radius, bool is_outside,
@@ -61,7 +61,7 @@ ChartLegend legend_of(const SphereMap& map) {
            draw_mark(drawing, x, y, 5.0, outside, "");
          }});
   }
-  return {std::move(entries), 4.0, kWidth - 4.0};
+  return {std::move(entries), 4.0, kSphereWidth - 4.0};
 }
 
 }  // namespace
@@ -77,7 +77,7 @@ Figure figure_of(const SphereMap& map) {
     figure.svg = nothing_drawn(map.title, map.text, map.nothing);
     return figure;
   }
-  SvgDrawing drawing(kWidth, kHeight);
+  SvgDrawing drawing(kSphereWidth, kSphereHeight);
   legend_of(map).draw(drawing, 16.0);
   draw_half(drawing, kMiddles_x[0], map.upper);
   draw_half(drawing, kMiddles_x[1], map.lower);

@@ -17,14 +17,14 @@ namespace armcal {
 namespace {
 
 // "diameter error" becomes sphere_test.value.diameter_error; other names stay.
-std::string title_of(const DocumentView& test, const Language& say) {
+std::string sphere_title(const DocumentView& test, const Language& say) {
   const std::string name = test.text("name");
   std::string key = fmt::format("sphere_test.value.{}", name);
   std::replace(key.begin(), key.end(), ' ', '_');
   return say.has(key) ? say(key) : name;
 }
 
-Stamp stamp_of(const DocumentView& document, const Language& say) {
+Stamp sphere_stamp(const DocumentView& document, const Language& say) {
   const Verdict verdict = verdict_in(document);
   std::vector<std::string> sentences = {
       say(fmt::format("sphere_test.sentence.{}", to_string(verdict)))};
@@ -36,13 +36,13 @@ Stamp stamp_of(const DocumentView& document, const Language& say) {
   return stamp;
 }
 
-Headlines headlines_of(const DocumentView& document, const Language& say) {
+Headlines sphere_headlines(const DocumentView& document, const Language& say) {
   Headlines headlines;
   for (const DocumentView& test : document.list("tests")) {
     const auto value = test.number_if("value_mm");
     const auto limit = test.number_if("mpe_mm");
     headlines.items.push_back(
-        {title_of(test, say), mm_text(value), value ? "mm" : "",
+        {sphere_title(test, say), mm_text(value), value ? "mm" : "",
          limit ? say("sphere_test.limit_note", mm_text(limit)) : say("sphere_test.no_limit_note"),
          tone_of(verdict_in(test))});
   }
@@ -58,7 +58,7 @@ Headlines headlines_of(const DocumentView& document, const Language& say) {
   return headlines;
 }
 
-Table tests_table(const DocumentView& document, const Language& say) {
+Table sphere_tests_table(const DocumentView& document, const Language& say) {
   Table table;
   table.caption = say("sphere_test.tests");
   table.columns = {{say("sphere_test.test"), false},
@@ -66,7 +66,7 @@ Table tests_table(const DocumentView& document, const Language& say) {
                    {say("sphere_test.limit_mm")},
                    {say("verification.verdict_column"), false}};
   for (const DocumentView& test : document.list("tests")) {
-    table.rows.push_back({{title_of(test, say)},
+    table.rows.push_back({{sphere_title(test, say)},
                           {mm_text(test.number_if("value_mm"))},
                           {mm_text(test.number_if("mpe_mm"))},
                           verdict_cell(verdict_in(test), say)});
@@ -177,7 +177,7 @@ Table blind_table(const std::vector<DocumentView>& spots, const Language& say) {
   return table;
 }
 
-Section unseen_section(const DocumentView& document, const Language& say) {
+Section sphere_unseen_section(const DocumentView& document, const Language& say) {
   Section section{"unseen", say("sphere_test.unseen"), "", {}};
   const std::vector<double> spans_deg = document.numbers("joint_spans_deg");
   const std::vector<DocumentView> spots = document.list("blind_spots");
@@ -202,12 +202,12 @@ Page sphere_test_page(const DocumentView& document, const Language& say) {
   Page page;
   page.title = say("sphere_test.title");
   page.subtitle = say("sphere_test.subtitle", mm_text(document.number("certified_diameter_mm")));
-  page.stamp = stamp_of(document, say);
+  page.stamp = sphere_stamp(document, say);
   Section summary{"summary", say("verification.summary"), "", {}};
-  summary.blocks = {headlines_of(document, say), tests_table(document, say),
+  summary.blocks = {sphere_headlines(document, say), sphere_tests_table(document, say),
                     facts_of(document, say)};
   page.sections = {std::move(summary), points_section(document, say),
-                   unseen_section(document, say)};
+                   sphere_unseen_section(document, say)};
   return page;
 }
 

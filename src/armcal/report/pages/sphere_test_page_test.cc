@@ -19,10 +19,10 @@ using testing::page_in;
 using testing::section_of;
 using testing::words_of;
 
-constexpr const char* kCommand = "verify sphere";
+constexpr const char* kSphereCommand = "verify sphere";
 
 /// Ends of the axes of a sphere of 20 mm, the one along z 0.04 mm too far out.
-SphereTest example(const SphereTestOptions& options) {
+SphereTest sphere_example(const SphereTestOptions& options) {
   PointReadings readings;
   for (const double sign : {-1.0, 1.0}) {
     for (int axis = 0; axis < 3; ++axis) {
@@ -34,7 +34,7 @@ SphereTest example(const SphereTestOptions& options) {
 }
 
 Json document_for(const SphereTestOptions& options) {
-  return document_of(kCommand, json_result(example(options), options));
+  return document_of(kSphereCommand, json_result(sphere_example(options), options));
 }
 
 TEST(SphereTestPage, ShowsDiameterAndFormWithTheirLimits) {
@@ -78,10 +78,10 @@ TEST(SphereTestPage, RefusesDirectionsThatAreNotThoseOfThePoints) {
 // A test that could not have failed is no plain pass.
 TEST(SphereTestPage, SaysWhatTheTestCouldNotHaveShown) {
   const SphereTestOptions options{20.0, 0.0, 0.05, {}};
-  SphereTest test = example(options);
+  SphereTest test = sphere_example(options);
   test.joint_spans_rad = Eigen::VectorXd::Constant(6, 0.01);
   test.blind_spots = {{"b3", true, 0.0123}};
-  const Json document = document_of(kCommand, json_result(test, options));
+  const Json document = document_of(kSphereCommand, json_result(test, options));
   const Page page = page_in("zh", document);
   EXPECT_EQ(page.stamp.tone, Tone::warning);
   EXPECT_THAT(words_of(page), HasSubstr("b3 | 0.012 | "));
@@ -90,10 +90,10 @@ TEST(SphereTestPage, SaysWhatTheTestCouldNotHaveShown) {
 
 TEST(SphereTestPage, KeepsTheLawsOfPages) {
   const SphereTestOptions options{20.0, 3.0, 0.05, {}};
-  SphereTest test = example(options);
+  SphereTest test = sphere_example(options);
   test.joint_spans_rad = Eigen::VectorXd::Constant(2, 0.01);
   test.blind_spots = {{"b3", true, 0.0123}};
-  testing::expect_page_laws(document_of(kCommand, json_result(test, options)));
+  testing::expect_page_laws(document_of(kSphereCommand, json_result(test, options)));
 }
 
 }  // namespace

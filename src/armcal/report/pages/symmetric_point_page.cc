@@ -47,14 +47,14 @@ std::string joined(const std::vector<std::string>& names, const Language& say) {
   return text;
 }
 
-Stamp stamp_of(const DocumentView& document, const Language& say) {
+Stamp symmetric_stamp(const DocumentView& document, const Language& say) {
   if (document.flag("consistent")) {
     return {say("symmetric.consistent"), say("symmetric.consistent_sentence"), Tone::good};
   }
   return {say("symmetric.contradicted"), say("symmetric.contradicted_sentence"), Tone::bad};
 }
 
-Headlines headlines_of(const DocumentView& document, const Language& say) {
+Headlines symmetric_headlines(const DocumentView& document, const Language& say) {
   const auto readings = document.list("readings");
   const auto flagged = std::count_if(readings.begin(), readings.end(), is_flagged);
   const auto claims = document.list("claims");
@@ -133,7 +133,7 @@ std::vector<std::string> findings_of(const DocumentView& document, const Languag
   return found;
 }
 
-Table parameters_of(const DocumentView& document, const Language& say) {
+Table symmetric_parameters(const DocumentView& document, const Language& say) {
   Table table;
   table.caption = say("symmetric.parameters_caption");
   table.columns = {{say("parameters.name"), false},
@@ -292,7 +292,7 @@ Figures postures_of(const DocumentView& document, const Language& say) {
 }
 
 Section result_section(const DocumentView& document, const Language& say) {
-  Section section{"summary", say("calibration.summary"), "", {headlines_of(document, say)}};
+  Section section{"summary", say("calibration.summary"), "", {symmetric_headlines(document, say)}};
   const std::vector<std::string> findings = findings_of(document, say);
   if (!findings.empty()) {
     section.blocks.emplace_back(Notice{document.flag("consistent") ? Tone::neutral : Tone::warning,
@@ -307,12 +307,12 @@ Page symmetric_point_page(const DocumentView& document, const Language& say) {
   Page page;
   page.title = say("symmetric.title");
   page.subtitle = document.text("arm");
-  page.stamp = stamp_of(document, say);
+  page.stamp = symmetric_stamp(document, say);
   page.sections.push_back(result_section(document, say));
   page.sections.push_back({"parameters",
                            say("symmetric.chain_and_adjustment"),
                            say("symmetric.chain_lead"),
-                           {parameters_of(document, say)}});
+                           {symmetric_parameters(document, say)}});
   if (auto claims = claims_of(document, say)) {
     page.sections.push_back(
         {"claims", say("symmetric.claims"), say("symmetric.claims_lead"), {std::move(*claims)}});

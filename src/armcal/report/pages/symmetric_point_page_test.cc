@@ -22,7 +22,7 @@ using testing::page_in;
 using testing::section_of;
 using testing::words_of;
 
-Json document_with(double l_PP3, double R, bool with_claims) {
+Json document_with_readings(double l_PP3, double R, bool with_claims) {
   SymmetricPointProcedure procedure;
   procedure.readings = testing::wang2016_readings(l_PP3, R);
   if (with_claims) procedure.claims = testing::wang2016_claims();
@@ -35,7 +35,7 @@ Json document_with(double l_PP3, double R, bool with_claims) {
   return document;
 }
 
-Json as_printed() { return document_with(104.070, 178.383, true); }
+Json as_printed() { return document_with_readings(104.070, 178.383, true); }
 
 TEST(SymmetricPointPage, SaysTheFindingOfThePaper) {
   for (const char* language : {"en", "zh"}) {
@@ -90,12 +90,12 @@ TEST(SymmetricPointPage, MapsWhatAssumptionsDoToTheResult) {
 }
 
 TEST(SymmetricPointPage, HasNoClaimsWhereNothingIsClaimed) {
-  const Page page = page_in("en", document_with(104.700, 178.383, false));
+  const Page page = page_in("en", document_with_readings(104.700, 178.383, false));
   for (const Section& section : page.sections) EXPECT_NE(section.id, "claims");
 }
 
 TEST(SymmetricPointPage, SaysThatReadingsThatContradictEachOtherDo) {
-  Json document = document_with(104.700, 178.483, false);
+  Json document = document_with_readings(104.700, 178.483, false);
   const Page page = page_in("en", document);
   EXPECT_EQ(page.stamp.tone, Tone::bad);
   EXPECT_THAT(words_of(page), HasSubstr("fails"));

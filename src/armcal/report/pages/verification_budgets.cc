@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "armcal/core/units.h"
 #include "armcal/report/number_format.h"
 #include "armcal/report/pages/phrase_book.h"
 
@@ -15,10 +16,9 @@ namespace {
 
 constexpr std::array kSources = {"certificate", "form", "temperature", "expansion",
                                  "repeatability"};
-constexpr double kMicrometresPerMillimetre = 1000.0;
 constexpr std::size_t kShown = 12;
 
-std::string micrometres(double mm) { return fixed(kMicrometresPerMillimetre * mm, 2); }
+std::string micrometres(double mm) { return fixed(micrometres_from_millimetres(mm), 2); }
 
 // Contributions of one source together.
 std::string of_source(const DocumentView& budget, std::string_view source) {

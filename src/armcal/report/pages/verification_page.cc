@@ -38,8 +38,8 @@ Tally tally_of(const std::vector<VerifiedRow>& rows) {
   return tally;
 }
 
-Stamp stamp_of(const DocumentView& document, const std::vector<VerifiedRow>& rows,
-               const Language& say) {
+Stamp verification_stamp(const DocumentView& document, const std::vector<VerifiedRow>& rows,
+                         const Language& say) {
   const Verdict verdict = verdict_in(document);
   const Tally tally = tally_of(rows);
   const std::size_t count = verdict == Verdict::fail        ? tally.failed
@@ -109,8 +109,8 @@ void add_probability(const std::vector<VerifiedRow>& rows, const Language& say,
                              say("verification.probability_note", least->title), Tone::neutral});
 }
 
-Headlines headlines_of(const std::vector<VerifiedRow>& rows, const DocumentView& document,
-                       const Language& say) {
+Headlines verification_headlines(const std::vector<VerifiedRow>& rows, const DocumentView& document,
+                                 const Language& say) {
   Headlines headlines;
   const Tally tally = tally_of(rows);
   headlines.items.push_back(
@@ -174,10 +174,10 @@ Facts basis_of(const DocumentView& document, const Language& say) {
   return facts;
 }
 
-Section summary_section(const DocumentView& document, const std::vector<VerifiedRow>& rows,
-                        const Language& say) {
+Section verification_summary_section(const DocumentView& document,
+                                     const std::vector<VerifiedRow>& rows, const Language& say) {
   Section section{"summary", say("verification.summary"), "", {}};
-  section.blocks.push_back(headlines_of(rows, document, say));
+  section.blocks.push_back(verification_headlines(rows, document, say));
   Notice incomplete = incomplete_notice(rows, say);
   if (!incomplete.lines.empty()) section.blocks.emplace_back(std::move(incomplete));
   const double k = document["decision"].number("coverage_factor");
@@ -208,7 +208,8 @@ std::optional<Section> values_section(const std::vector<VerifiedRow>& rows, cons
   return section;
 }
 
-Section definitions_section(const std::vector<VerifiedRow>& rows, const Language& say) {
+Section verification_definitions_section(const std::vector<VerifiedRow>& rows,
+                                         const Language& say) {
   return {"definitions", say("verification.definitions"), "", {definitions_table(rows, say)}};
 }
 
@@ -219,14 +220,14 @@ Page verification_page(const DocumentView& document, const Language& say) {
   Page page;
   page.title = say("verification.title", document.text("standard"));
   page.subtitle = document.text("name");
-  page.stamp = stamp_of(document, rows, say);
-  page.sections.push_back(summary_section(document, rows, say));
+  page.stamp = verification_stamp(document, rows, say);
+  page.sections.push_back(verification_summary_section(document, rows, say));
   page.sections.push_back(judgement_section(document, rows, say));
   if (auto values = values_section(rows, say)) page.sections.push_back(std::move(*values));
   if (auto budgets = budgets_section(document, rows, say)) {
     page.sections.push_back(std::move(*budgets));
   }
-  page.sections.push_back(definitions_section(rows, say));
+  page.sections.push_back(verification_definitions_section(rows, say));
   return page;
 }
 

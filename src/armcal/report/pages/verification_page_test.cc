@@ -20,7 +20,7 @@ using testing::page_in;
 using testing::section_of;
 using testing::words_of;
 
-constexpr const char* kCommand = "verify iso10360-12";
+constexpr const char* kVerificationCommand = "verify iso10360-12";
 
 TestResult length_errors(const std::vector<double>& errors_mm) {
   TestResult result;
@@ -62,7 +62,7 @@ VerifiedStatistic statistic_of(const TestResult& result,
 }
 
 /// Errors in five lengths against 20 um + L/50; U = 10 um.
-Verification example(const std::vector<double>& errors_mm) {
+Verification verification_example(const std::vector<double>& errors_mm) {
   Verification verification;
   verification.name = "arm 123";
   verification.standard = "ISO 10360-12:2016";
@@ -76,12 +76,13 @@ Verification example(const std::vector<double>& errors_mm) {
 const std::vector<double> kGood = {0.002, -0.004, 0.006, 0.011, -0.009};
 const std::vector<double> kBad = {0.002, -0.004, 0.006, 0.0811, -0.009};
 
-Page page_of_example(const Verification& verification, const std::string& language = "en") {
-  return page_in(language, document_of(kCommand, json_result(verification)));
+Page verification_page_of_example(const Verification& verification,
+                                  const std::string& language = "en") {
+  return page_in(language, document_of(kVerificationCommand, json_result(verification)));
 }
 
 TEST(VerificationPage, ShowsValueLimitUncertaintyAndVerdictAsTheDocumentHasThem) {
-  const Page page = page_of_example(example(kBad));
+  const Page page = verification_page_of_example(verification_example(kBad));
   EXPECT_EQ(page.title, "Verification to ISO 10360-12:2016");
   EXPECT_EQ(page.subtitle, "arm 123");
   EXPECT_EQ(page.stamp.word, "Fail");
@@ -95,20 +96,21 @@ TEST(VerificationPage, ShowsValueLimitUncertaintyAndVerdictAsTheDocumentHasThem)
 }
 
 TEST(VerificationPage, SaysTheDecisionRuleWithItsCoverageFactor) {
-  EXPECT_THAT(section_of(page_of_example(example(kGood)), "judgement").lead,
-              HasSubstr("by the expanded uncertainty U of the test (k = 2)"));
-  Verification guarded = example(kGood);
+  EXPECT_THAT(
+      section_of(verification_page_of_example(verification_example(kGood)), "judgement").lead,
+      HasSubstr("by the expanded uncertainty U of the test (k = 2)"));
+  Verification guarded = verification_example(kGood);
   guarded.rule = {.kind = DecisionKind::guard_band, .guard_factor = 0.5};
   guarded.coverage_factor = 3.0;
-  EXPECT_THAT(section_of(page_of_example(guarded), "judgement").lead,
+  EXPECT_THAT(section_of(verification_page_of_example(guarded), "judgement").lead,
               HasSubstr("passes inside the limit by 0.5 U (k = 3), else fails"));
 }
 
 TEST(VerificationPage, SetsAsFoundBesideAsLeft) {
-  Verification verification = example(kBad);
+  Verification verification = verification_example(kBad);
   verification.as_left_file = "left.arm.toml";
-  verification.statistics[0].as_left = example(kGood).statistics[0].as_found;
-  const Page page = page_of_example(verification);
+  verification.statistics[0].as_left = verification_example(kGood).statistics[0].as_found;
+  const Page page = verification_page_of_example(verification);
   EXPECT_EQ(page.stamp.word, "Pass");
   EXPECT_THAT(page.stamp.sentence, HasSubstr("The arm as found: fail."));
   EXPECT_THAT(words_of(page), HasSubstr("| 0.0811 | 0.0110 | 0.0360 |"));
@@ -117,18 +119,19 @@ TEST(VerificationPage, SetsAsFoundBesideAsLeft) {
 
 // A table of coordinates cannot be put through the arm as left.
 TEST(VerificationPage, LeavesAsLeftBlankWhereOnlyAsFoundWasMeasured) {
-  Verification verification = example(kBad);
+  Verification verification = verification_example(kBad);
   verification.as_left_file = "left.arm.toml";
-  verification.statistics[0].as_left = example(kGood).statistics[0].as_found;
+  verification.statistics[0].as_left = verification_example(kGood).statistics[0].as_found;
   verification.statistics.push_back(
       statistic_of(length_errors({0.0123, 0.0044}), MaximumPermissibleError::constant(0.040)));
-  const std::string words = words_of(page_of_example(verification));
+  const std::string words = words_of(verification_page_of_example(verification));
   EXPECT_THAT(words, HasSubstr("| E_Uni | 0.0123 | – | 0.0400 | 0.0100 | 31 | pass | "));
   EXPECT_THAT(words, HasSubstr("| 400 mm at P1, repeat 1 | 0.0044 | – | bar.csv:7 | "));
 }
 
 TEST(VerificationPage, DrawsEachLengthBetweenItsLimits) {
-  const Section values = section_of(page_of_example(example(kGood)), "values");
+  const Section values =
+      section_of(verification_page_of_example(verification_example(kGood)), "values");
   ASSERT_EQ(values.blocks.size(), 1u);
   const Figure& figure = std::get<Figures>(values.blocks[0]).items.at(0);
   const Json live = Json::parse(figure.live);
@@ -140,11 +143,11 @@ TEST(VerificationPage, DrawsEachLengthBetweenItsLimits) {
 
 // A pass with readings missing is no pass of the standard.
 TEST(VerificationPage, WarnsOfWhatIsMissing) {
-  Verification verification = example(kGood);
+  Verification verification = verification_example(kGood);
   TestResult& result = verification.statistics[0].as_found.result;
   result.symbol.clear();
   result.missing = {"length 200 mm at 1 position, 7 are asked for"};
-  const Page page = page_of_example(verification, "zh");
+  const Page page = verification_page_of_example(verification, "zh");
   EXPECT_EQ(page.stamp.tone, Tone::warning);
   EXPECT_THAT(words_of(page), HasSubstr("length_uni：长度 200 mm 只有 1 个位置，要求 7 个"));
   EXPECT_EQ(page.stamp.word, "合格（不完整）");
@@ -152,10 +155,10 @@ TEST(VerificationPage, WarnsOfWhatIsMissing) {
 }
 
 TEST(VerificationPage, SaysWhereNothingWasJudged) {
-  Verification verification = example(kGood);
+  Verification verification = verification_example(kGood);
   verification.statistics = {statistic_of(length_errors(kGood), {})};
   verification.statistics[0].budgets.clear();
-  const Page page = page_of_example(verification);
+  const Page page = verification_page_of_example(verification);
   EXPECT_EQ(page.stamp.word, "Not judged");
   EXPECT_EQ(page.stamp.tone, Tone::neutral);
   EXPECT_THAT(words_of(page), HasSubstr("| 0.0110 | – |"));
@@ -164,13 +167,14 @@ TEST(VerificationPage, SaysWhereNothingWasJudged) {
 
 // A value that none of the readings could give.
 TEST(VerificationPage, StandsWithoutAnyValue) {
-  Verification verification = example({});
+  Verification verification = verification_example({});
   verification.statistics = {statistic_of(length_errors({}), {})};
-  EXPECT_THAT(words_of(page_of_example(verification)), HasSubstr("E_Uni | – | – |"));
+  EXPECT_THAT(words_of(verification_page_of_example(verification)), HasSubstr("E_Uni | – | – |"));
 }
 
 TEST(VerificationPage, SpeaksChineseAndLeavesSymbolsAndNames) {
-  const std::string words = words_of(page_of_example(example(kBad), "zh"));
+  const std::string words =
+      words_of(verification_page_of_example(verification_example(kBad), "zh"));
   EXPECT_THAT(words, HasSubstr("长度测量误差（单向） | E_Uni | 0.0811"));
   EXPECT_THAT(words, HasSubstr("不合格"));
   EXPECT_THAT(words, HasSubstr("标准器温度"));
@@ -179,7 +183,7 @@ TEST(VerificationPage, SpeaksChineseAndLeavesSymbolsAndNames) {
 }
 
 TEST(VerificationPage, NamesTheKeyThatAnEditedDocumentLacks) {
-  Json document = document_of(kCommand, json_result(example(kGood)));
+  Json document = document_of(kVerificationCommand, json_result(verification_example(kGood)));
   document["tests"][0].erase("complete");
   try {
     (void)page_in("en", document);
@@ -187,17 +191,17 @@ TEST(VerificationPage, NamesTheKeyThatAnEditedDocumentLacks) {
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), HasSubstr("saved.json: error: key tests[0].complete: is missing"));
   }
-  document = document_of(kCommand, json_result(example(kGood)));
+  document = document_of(kVerificationCommand, json_result(verification_example(kGood)));
   document["decision"]["rule"] = "by mood";
   EXPECT_THROW((void)page_in("en", document), InputError);
-  document = document_of(kCommand, json_result(example(kGood)));
+  document = document_of(kVerificationCommand, json_result(verification_example(kGood)));
   document["verdict"] = "maybe";
   EXPECT_THROW((void)page_in("en", document), InputError);
 }
 
 // Results that were saved before these keys were there.
 TEST(VerificationPage, ReadsOlderDocuments) {
-  Json document = document_of(kCommand, json_result(example(kGood)));
+  Json document = document_of(kVerificationCommand, json_result(verification_example(kGood)));
   Json& test = document["tests"][0];
   for (const char* key : {"title", "is_signed", "guard_mm"}) test.erase(key);
   for (Json& part : test["parts"]) part.erase("mpe_mm");
@@ -205,10 +209,10 @@ TEST(VerificationPage, ReadsOlderDocuments) {
 }
 
 TEST(VerificationPage, KeepsTheLawsOfPages) {
-  Verification verification = example({0.002, -0.004});
+  Verification verification = verification_example({0.002, -0.004});
   verification.as_left_file = "left.arm.toml";
   verification.statistics[0].as_left = verification.statistics[0].as_found;
-  testing::expect_page_laws(document_of(kCommand, json_result(verification)));
+  testing::expect_page_laws(document_of(kVerificationCommand, json_result(verification)));
 }
 
 }  // namespace

@@ -11,10 +11,10 @@
 namespace armcal {
 namespace {
 
-constexpr const char* kPhrases = "verification.phrase";
+constexpr const char* kVerificationPhrases = "verification.phrase";
 
 VerifiedPart part_of(const DocumentView& part, const Language& say) {
-  return {.name = in_language(part.text("name"), kPhrases, say),
+  return {.name = in_language(part.text("name"), kVerificationPhrases, say),
           .where = part.text("where"),
           .value_mm = part.has("value_mm") ? part.number("value_mm") : std::nan(""),
           .length_mm = part.number_if("length_mm"),
@@ -33,24 +33,25 @@ VerifiedValue value_of(const DocumentView& judged, const Language& say) {
   value.verdict = verdict_in(judged);
   value.is_complete = judged.flag("complete");
   value.symbol = judged.text_if("symbol").value_or("");
-  value.decided_by = in_language(judged.text_if("decided_by").value_or(""), kPhrases, say);
+  value.decided_by =
+      in_language(judged.text_if("decided_by").value_or(""), kVerificationPhrases, say);
   for (const std::string& each : judged.texts("missing")) {
-    value.missing.push_back(in_language(each, kPhrases, say));
+    value.missing.push_back(in_language(each, kVerificationPhrases, say));
   }
   for (const DocumentView& each : judged.list("parts")) value.parts.push_back(part_of(each, say));
   return value;
 }
 
-VerifiedRow row_of(const DocumentView& test, const Language& say) {
+VerifiedRow verified_row(const DocumentView& test, const Language& say) {
   VerifiedRow row;
   const std::string name = test.text("name");
   row.test = test.text("test");
-  row.title = in_language(name, kPhrases, say);
+  row.title = in_language(name, kVerificationPhrases, say);
   // Results that were saved before they had a title have names alone.
   if (test.text_if("title").value_or(name) != name) {
     row.title = say("verification.title_of_test", row.title, row.test);
   }
-  row.definition = in_language(test.text("definition"), kPhrases, say);
+  row.definition = in_language(test.text("definition"), kVerificationPhrases, say);
   row.limit = test.text_if("limit").value_or("");
   row.is_signed = test.has("is_signed") && test.flag("is_signed");
   row.judged = value_of(test, say);
@@ -62,7 +63,7 @@ VerifiedRow row_of(const DocumentView& test, const Language& say) {
 
 std::vector<VerifiedRow> verified_rows(const DocumentView& document, const Language& say) {
   std::vector<VerifiedRow> rows;
-  for (const DocumentView& test : document.list("tests")) rows.push_back(row_of(test, say));
+  for (const DocumentView& test : document.list("tests")) rows.push_back(verified_row(test, say));
   return rows;
 }
 

@@ -14,7 +14,7 @@
 namespace armcal {
 namespace {
 
-constexpr int kAttempts = 500;
+constexpr int kHalfTurnAttempts = 500;
 
 Eigen::VectorXd turned(const Eigen::VectorXd& posture, int joint, double turn_rad) {
   Eigen::VectorXd other = posture;
@@ -61,7 +61,7 @@ Eigen::VectorXd posture_to_turn(Laboratory& laboratory, int joint, const Turns& 
                                  degrees_from_radians(stops.max_rad - stops.min_rad)));
   }
   std::string reason;
-  for (int attempt = 0; attempt < kAttempts; ++attempt) {
+  for (int attempt = 0; attempt < kHalfTurnAttempts; ++attempt) {
     Eigen::VectorXd posture = laboratory.free_posture();
     const double low = stops.min_rad - turns_rad.front();
     const double high = stops.max_rad - turns_rad.back();
@@ -76,7 +76,7 @@ Eigen::VectorXd posture_to_turn(Laboratory& laboratory, int joint, const Turns& 
     reason = *obstacle;
   }
   throw Impossible(fmt::format("{} of joint {}: none of {} random postures leaves room for it: {}",
-                               gesture, joint, kAttempts, reason));
+                               gesture, joint, kHalfTurnAttempts, reason));
 }
 
 }  // namespace
