@@ -17,7 +17,8 @@ export function drawTags(u, series, font) {
     const taken = dots.map(([x, y]) => ({ left: x - GAP * scale, right: x + GAP * scale, top: y - GAP * scale, bottom: y + GAP * scale }));
     for (const { x, y, tags } of series) {
       tags?.forEach((tag, i) => {
-        const box = quietest(boxesAbout(at(u, "x", x[i]), at(u, "y", y[i]), ctx.measureText(tag).width, scale), taken);
+        const boxes = boxesAbout(at(u, "x", x[i]), at(u, "y", y[i]), ctx.measureText(tag).width, scale);
+        const box = quietest(boxes.filter((each) => isInside(each, u.bbox)), taken) ?? boxes[0];
         if (Number.isNaN(box.left)) return;
         taken.push(box);
         ctx.lineWidth = 4 * scale;
@@ -42,7 +43,10 @@ function boxesAbout(x, y, width, scale) {
   return corners.map(([left, top]) => ({ left, top, right: left + width, bottom: top + height }));
 }
 
+const isInside = (box, { left, top, width, height }) => box.left >= left && box.right <= left + width && box.top >= top && box.bottom <= top + height;
+
+// The first of those that cover the least; undefined where there are none.
 function quietest(boxes, taken) {
   const covers = (box) => taken.filter((other) => box.left < other.right && other.left < box.right && box.top < other.bottom && other.top < box.bottom).length;
-  return boxes.reduce((best, box) => (covers(box) < covers(best) ? box : best));
+  return boxes.reduce((best, box) => (best && covers(best) <= covers(box) ? best : box), undefined);
 }

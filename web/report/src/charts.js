@@ -15,6 +15,7 @@ import { say } from "./words.js";
 
 const HEIGHT = 300;
 const WIDE_HEIGHT = 340;
+const WHOLE_STEPS = [1, 2, 5].flatMap((step) => [1, 10, 100, 1000, 10000].map((power) => step * power)).sort((a, b) => a - b); // of what is counted
 const EQUAL_HEIGHTS = [260, 560];
 
 export function liveChart(figure, model) {
@@ -71,6 +72,7 @@ class LiveChart {
       grid: { stroke: () => colour("--grid"), width: 1 },
       ticks: { stroke: () => colour("--edge"), width: 1, size: 4 },
       gap: 5,
+      ...(model.series.every((series) => series[key].every(Number.isInteger)) ? { incrs: WHOLE_STEPS } : {}),
       ...(model[key].scale === "log" ? { splits: (u, i, low, high) => logTicks(low, high) } : {}),
       values: (u, splits, i, space, step) => (model[key].scale === "log" ? powerTexts(splits) : tickTexts(splits, step)),
       ...(model[key].scale === "log" ? { filter: (u, splits) => splits } : {}),

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: the armcal authors
 // SPDX-License-Identifier: Apache-2.0
 import { element } from "./element.js";
+import { say } from "./words.js";
 
 const whenIdle = window.requestIdleCallback ?? ((work) => setTimeout(work, 50)); // not in every Safari
 
@@ -20,9 +21,17 @@ export function enliven(makers) {
   for (const script of document.querySelectorAll("figure > script.live")) observer.observe(script.parentElement);
 }
 
+// A half turn is told better by its drawing: it comes to life when asked.
 function make(figure, makers) {
   const model = JSON.parse(figure.querySelector(":scope > script.live").textContent);
-  makers[model.kind]?.(figure, model);
+  const enliven = () => makers[model.kind]?.(figure, model);
+  if (model.turning_joint == null) return enliven();
+  const button = element("button", { type: "button", class: "enliven" }, say("move"));
+  button.addEventListener("click", () => {
+    button.remove();
+    enliven();
+  });
+  figure.querySelector(":scope > figcaption").prepend(button);
 }
 
 // The place of a live view. The figure shows it in place of the drawing from show() on.

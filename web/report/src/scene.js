@@ -11,11 +11,12 @@ import { ArmBody } from "./scene_arm.js";
 import { cameraFor, lookAt, moveByKey } from "./scene_camera.js";
 import { panelOf } from "./scene_panel.js";
 import { Measured } from "./scene_postures.js";
+import { HalfTurn } from "./scene_turn.js";
 import { artefactsOf, axesOf, groundOf, roundLength } from "./scene_world.js";
 import { colour, onThemeChange } from "./theme.js";
 import { say } from "./words.js";
 
-const INKS = { joint: "--scene-joint", link: "--scene-link", tip: "--ink", fit: "--series-0", check: "--series-1", artefact: "--series-2" };
+const INKS = { joint: "--scene-joint", link: "--scene-link", tip: "--ink", fit: "--series-0", check: "--series-1", turning: "--series-1", artefact: "--series-2", ghost: "--scene-joint" };
 
 // One renderer for all scenes of a page: browsers allow few. Null where there are no 3-D graphics.
 let renderer;
@@ -41,7 +42,8 @@ class LiveScene {
     this.figure = figure;
     this.model = model;
     this.frames = 0; // drawn so far
-    this.chosen = Math.floor(model.postures.length / 2); // of the measured postures; null: turned by hand
+    this.isTurn = model.turning_joint != null;
+    this.chosen = this.isTurn ? 0 : Math.floor(model.postures.length / 2); // of the measured postures; null: turned by hand
     this.q_deg = this.first();
     this.measure();
     this.furnish();
@@ -79,6 +81,7 @@ class LiveScene {
     const places = (this.places = [
       [0, 0, 0],
       ...this.posture.joints.flatMap(({ corners }) => corners),
+      ...(this.isTurn ? postureOf(this.model.arm, this.model.postures[1].q_deg).joints.flatMap(({ corners }) => corners) : []),
       ...this.model.postures.map(({ tip_mm }) => tip_mm),
       ...this.model.artefacts.flatMap(({ kind, at_mm, to_mm }) => (kind === "bar" ? [at_mm, to_mm] : [at_mm])),
     ]);
@@ -94,9 +97,10 @@ class LiveScene {
     const { model, size } = this;
     this.materials = Object.fromEntries(Object.keys(INKS).map((name) => [name, new MeshStandardMaterial({ roughness: 0.55, metalness: 0.05 })]));
     Object.assign(this.materials.artefact, { transparent: true, opacity: 0.75 });
+    Object.assign(this.materials.ghost, { transparent: true, opacity: 0.25, depthWrite: false });
     this.scene = new Scene();
-    this.arm = new ArmBody(model.arm.joints.length, size, this.materials);
-    this.measured = new Measured(model.postures, size * 0.004, this.materials);
+    this.arm = new ArmBody(model.arm.joints.length, size, this.materials, model.turning_joint);
+    this.measured = this.isTurn ? new HalfTurn(model, size, this.materials) : new Measured(model.postures, size * 0.004, this.materials);
     this.measured.enlarge(model.enlargement || 1);
     this.scene.add(new AmbientLight(0xffffff, 0.7), new HemisphereLight(0xffffff, 0x888888, 1.4));
     const sun = new DirectionalLight(0xffffff, 1.6);
@@ -116,6 +120,7 @@ class LiveScene {
     this.panel = panelOf(this.model, this.figure.classList.contains("wide"), {
       turn: (i, deg) => this.turn(i, deg),
       choose: (index) => this.choose(index),
+      goAlong: (part) => this.goAlong(part),
       enlarge: (factor) => {
         this.measured.enlarge(factor);
         this.draw();
@@ -135,7 +140,7 @@ class LiveScene {
   }
 
   legend() {
-    const has = (check) => this.model.postures.some((posture) => posture.check === check);
+    const has = (check) => !this.isTurn && this.model.postures.some((posture) => posture.check === check);
     const item = (mark, style, text) => element("li", {}, element("span", { class: `mark s${style}`, "aria-hidden": "true" }, mark), text);
     return element(
       "ul",
@@ -170,10 +175,19 @@ class LiveScene {
     this.move();
   }
 
-  move() {
+  // A part of the way from the first posture to the second.
+  goAlong(part) {
+    const [from, to] = this.model.postures;
+    this.q_deg = from.q_deg.map((deg, i) => deg + part * (to.q_deg[i] - deg));
+    this.chosen = null;
+    this.move(part);
+  }
+
+  // @param part  of the way, where the arm is on it
+  move(part = null) {
     this.posture = postureOf(this.model.arm, this.q_deg);
     this.arm.take(this.posture);
-    this.panel.show(this.q_deg, this.chosen);
+    this.panel.show(this.q_deg, part ?? this.chosen);
     this.say();
     this.draw();
   }
@@ -214,7 +228,7 @@ class LiveScene {
     const ink = new Color(colour("--muted"));
     const lines = new Color(colour("--grid"));
     if (this.drawn) this.scene.remove(...this.drawn);
-    this.drawn = [groundOf(this.around, this.spacing, lines), axesOf(this.size * 0.16, `#${ink.getHexString()}`)];
+    this.drawn = [groundOf(this.around, this.spacing, lines), axesOf(this.size * 0.16, `#${ink.getHexString()}`), this.measured.names(colour("--ink"))];
     this.scene.add(...this.drawn);
     this.draw();
   }

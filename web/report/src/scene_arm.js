@@ -30,13 +30,14 @@ export function ball(material, radius) {
 
 export class ArmBody {
   // @param size  a length to which the arm's thickness is in proportion, mm
-  constructor(count, size, materials) {
+  // @param turning  a joint with a colour of its own, or none
+  constructor(count, size, materials, turning = null) {
     this.group = new Group();
     this.thickness = (i) => size * 0.016 * (1 - (0.5 * i) / count);
     this.joints = [];
     for (let i = 0; i < count; ++i) {
       const joint = {
-        housing: tube(materials.joint),
+        housing: tube(i === turning ? materials.turning : materials.joint),
         tubes: [0, 1, 2].map(() => tube(materials.link)),
         elbows: [0, 1].map(() => ball(materials.link, this.thickness(i))),
       };

@@ -48,7 +48,18 @@ export function panelOf(model, isRoomy, actions) {
   });
   const rows = [];
   let posture = null;
-  if (model.postures.length > 0) {
+  if (model.turning_joint != null) {
+    const [from, to] = model.postures.map(({ q_deg }) => q_deg[model.turning_joint]);
+    posture = slider({
+      label: say("way"),
+      low: 0,
+      high: 1,
+      step: "any",
+      text: (part) => `${say("joint")} ${model.turning_joint + 1}: ${fixedText(from + part * (to - from), 0)}°`,
+      change: actions.goAlong,
+    });
+    rows.push(posture.row);
+  } else if (model.postures.length > 0) {
     posture = slider({
       label: say("posture"),
       low: 0,
@@ -75,7 +86,7 @@ export function panelOf(model, isRoomy, actions) {
   const folder = element("details", { open: isRoomy }, element("summary", {}, say("joints")), ...joints.map((joint) => joint.row));
   return {
     element: element("div", { class: "panel" }, ...rows, folder),
-    // @param chosen  index of the measured posture; null: none
+    // @param chosen  index of the measured posture, or part of the way; null: none
     show(q_deg, chosen) {
       joints.forEach((joint, i) => joint.set(q_deg[i]));
       if (chosen === null) posture?.say(say("none"));

@@ -55,6 +55,10 @@ export class Measured {
     for (const kind of this.kinds) this.group.add(kind.marks, kind.shafts, kind.heads);
   }
 
+  names() {
+    return new Group(); // too many to be written
+  }
+
   enlarge(factor) {
     for (const kind of this.kinds) kind.enlarge(factor);
   }

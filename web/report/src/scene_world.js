@@ -12,7 +12,7 @@ export function roundLength(length) {
   return ([5, 2].find((factor) => factor * power <= length) ?? 1) * power;
 }
 
-function letter(text, ink, size) {
+export function letter(text, ink, size) {
   const canvas = document.createElement("canvas");
   canvas.width = canvas.height = 64;
   const context = canvas.getContext("2d");

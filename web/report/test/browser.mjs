@@ -35,6 +35,8 @@ export async function openReport(browser, path, options = {}) {
 export async function showAllFigures(page) {
   for (const figure of await page.locator("figure:has(> script.live)").elementHandles()) {
     await figure.evaluate((element) => element.scrollIntoView({ block: "center", behavior: "instant" }));
+    const button = await page.waitForFunction((element) => element.matches(".is-live, :has(> .note)") || element.querySelector(".enliven"), figure);
+    await button.evaluate((found) => found.click?.());
     await page.waitForFunction((element) => element.matches(".is-live, :has(> .note)"), figure);
   }
   await painted(page);

@@ -7,7 +7,7 @@ import { postureOf } from "../src/kinematics.js";
 import { liveModels, reportsOf } from "./reports.mjs";
 
 const NANOMETRE = 1e-6; // mm: what printing a tip in decimals and back may lose
-const reports = reportsOf("calibration");
+const reports = reportsOf("calibration", "symmetric-point");
 let browser;
 let page;
 before(async () => {
@@ -94,4 +94,40 @@ test("keys turn the view and bring it nearer", async () => {
     looks.push(await look());
   }
   assert.equal(new Set(looks).size, looks.length);
+});
+
+test("the slider of residuals makes their arrows longer", async () => {
+  const canvas = page.locator(".scene canvas").first();
+  const look = () => canvas.evaluate((element) => element.toDataURL());
+  const before = await look();
+  const slider = page.getByLabel("Residuals enlarged");
+  const said = await slider.getAttribute("aria-valuetext");
+  await slider.focus();
+  for (let i = 0; i < 5; ++i) await page.keyboard.press("PageUp");
+  await painted(page);
+  assert.notEqual(await slider.getAttribute("aria-valuetext"), said);
+  assert.notEqual(await look(), before);
+});
+
+test("a half turn is drawn, and turns from A to B when asked", async () => {
+  const other = await openReport(browser, reports["symmetric-point.en"]);
+  const figure = other.locator("#posture-1");
+  await figure.scrollIntoViewIfNeeded();
+  const button = figure.getByRole("button", { name: "Move in space" });
+  await button.waitFor();
+  assert.ok(await figure.locator(".drawing svg").isVisible());
+  await button.click();
+  await figure.locator(".scene").waitFor();
+  const way = figure.getByLabel("From A to B");
+  const tips = [];
+  for (const key of ["Home", "End"]) {
+    await way.focus();
+    await other.keyboard.press(key);
+    tips.push(await other.evaluate(() => armcalReport.scenes[0].tip()));
+  }
+  const ends = await other.evaluate(() => armcalReport.scenes[0].postures.map(({ tip_mm }) => tip_mm));
+  tips.forEach((tip, i) => assert.ok(distance(tip, ends[i]) < NANOMETRE));
+  assert.ok(Math.abs(distance(...tips) - 352.968) < 1e-2, "the paper's distance");
+  assert.deepEqual(other.complaints, []);
+  await other.context().close();
 });

@@ -422,7 +422,8 @@ Figure figure_of(const HalfTurnDrawing& drawing) {
   figure.svg = svg_of(drawing, *a, *b);
   figure.live = live_scene({.arm = drawing.arm,
                             .postures = {{.name = drawing.a_name, .q_rad = drawing.a_rad},
-                                         {.name = drawing.b_name, .q_rad = drawing.b_rad}}});
+                                         {.name = drawing.b_name, .q_rad = drawing.b_rad}},
+                            .turning_joint = drawing.joint});
   return figure;
 }
 

@@ -144,6 +144,7 @@ std::string live_scene(const ArmScene& scene) {
       {"arm", live_json(scene.arm)},
       {"nominal", scene.nominal ? live_json(*scene.nominal) : OrderedJson(nullptr)},
       {"postures", std::move(postures)},
+      {"turning_joint", scene.turning_joint ? OrderedJson(*scene.turning_joint) : OrderedJson()},
       {"artefacts", std::move(artefacts)},
       {"enlargement", scene.enlargement}};
   return json.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);

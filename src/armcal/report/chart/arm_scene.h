@@ -35,6 +35,9 @@ struct ArmScene {
   ArmModel arm;
   std::optional<ArmModel> nominal;
   std::vector<ScenePosture> postures;
+  /// Joint, from 0, whose half turn leads from the first posture to the second; there are no
+  /// others.
+  std::optional<int> turning_joint;
   std::vector<SceneArtefact> artefacts;
   double enlargement = 1.0;  ///< of residuals
 };

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kMostBins = 60;
 constexpr double kLargest = 1e300;  // differences of values are finite
-constexpr double kFarAway = 10.0;   // ranges of the middle half
+constexpr double kFarAway = 5.0;    // ranges of the middle half
 constexpr int kCurvePoints = 97;
 constexpr std::size_t kBandPoints = 60;
 
@@ -91,14 +91,15 @@ HistogramBins histogram_bins(std::span<const double> values) {
   for (const double value : sorted) {
     const double bin = std::floor(value / step) - first;
     const double inside = std::clamp(bin, 0.0, static_cast<double>(count - 1));
+    const bool is_beyond = value < bins.edges.front() || value > bins.edges.back();
+    bins.beyond += is_beyond ? 1 : 0;
     bins.counts[static_cast<std::size_t>(inside)] += 1.0;
   }
   return bins;
 }
 
 Chart with_histogram(Chart chart, const std::string& name, const std::string& density_name,
-                     std::span<const double> values) {
-  const HistogramBins bins = histogram_bins(values);
+                     const HistogramBins& bins) {
   if (bins.counts.empty()) return chart;
   double total = 0.0;
   for (const double count : bins.counts) total += count;

@@ -14,18 +14,19 @@ struct HistogramBins {
   std::vector<double> edges;  ///< one more than counts, equally wide, on multiples of 1, 2 or 5
                               ///< times a power of ten
   std::vector<double> counts;
+  std::size_t beyond = 0;  ///< values outside of the edges, counted in the first or last bin
 };
 
 /// Bins about 2 IQR / n^(1/3) wide (Freedman and Diaconis 1981), rounded up to a nice width; 1 to
 /// 60 of them. Values that are not finite are left out; none left: no bins. What lies more than
-/// ten times the range of the middle half away from it is counted in the first or last bin.
+/// five times the range of the middle half away from it is counted in the first or last bin.
 [[nodiscard]] HistogramBins histogram_bins(std::span<const double> values);
 
-/// Adds to a chart that has its words the histogram of standardised residuals (divided by the
+/// Adds to a chart that has its words the bins of standardised residuals (divided by the
 /// uncertainty stated for them) and, as a line, what a normal distribution of standard deviation 1
 /// would put into the same bins.
 [[nodiscard]] Chart with_histogram(Chart chart, const std::string& name,
-                                   const std::string& density_name, std::span<const double> values);
+                                   const std::string& density_name, const HistogramBins& bins);
 
 struct QuantilePlotNames {
   std::string points;

@@ -24,6 +24,9 @@ using testing::repository;
 // Keys that sources put together: the part that is a literal of theirs, up to its slot.
 const std::vector<std::string> kComposed = {"tone.",
                                             "calibration.kind_of.",
+                                            "numerics.reason.",
+                                            "fit.title.",
+                                            "fit.form.",
                                             "parameters.status_",
                                             "symmetric.kind_",
                                             "verification.verdict.",
@@ -42,7 +45,8 @@ const std::vector<std::string> kComposed = {"tone.",
                                             "verification_plan.purpose."};
 // Phrases of documents, found by their English text.
 const std::vector<std::string> kPhrases = {"verification.phrase", "check.phrase",
-                                           "verification_plan.phrase"};
+                                           "verification_plan.phrase", "compare.phrase",
+                                           "demo.phrase"};
 // Chinese sentences follow each other without a space.
 const std::set<std::string> kMayBeEmpty = {"verification.between_sentences"};
 

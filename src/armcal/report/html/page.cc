@@ -32,4 +32,16 @@ const char* tone_sign(Tone tone) {
   return "";
 }
 
+const char* column_class(ColumnKind kind) {
+  switch (kind) {
+    case ColumnKind::number:
+      return "num";
+    case ColumnKind::prose:
+      return "prose";
+    case ColumnKind::text:
+      break;
+  }
+  return "text";
+}
+
 }  // namespace armcal

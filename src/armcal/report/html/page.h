@@ -49,9 +49,15 @@ struct Cell {
   std::string text;
   Tone tone = Tone::neutral;
 };
+/// What stands in a column: numbers are aligned right, in digits of one width; prose gets room.
+enum class ColumnKind { number, text, prose };
+
+/// Its class in report.css: "num".
+[[nodiscard]] const char* column_class(ColumnKind kind);
+
 struct TableColumn {
   std::string title;
-  bool is_number = true;  ///< aligned right, in digits of one width
+  ColumnKind kind = ColumnKind::number;
 };
 struct Table {
   std::string caption;

@@ -125,7 +125,7 @@ struct BlockData {
     for (const TableColumn& each : table.columns) {
       Data column;
       column.set("title", text_data(each.title));
-      column.set("is_number", boolean(each.is_number));
+      column.set("kind", column_class(each.kind));
       columns.push_back(column);
     }
     Data rows(Data::type::list);
@@ -175,9 +175,9 @@ struct BlockData {
       const Cell& each = table.rows[r][c];
       Data cell;
       cell.set("text", text_data(each.text));
-      const bool is_number = c < table.columns.size() && table.columns[c].is_number;
-      cell.set("is_number", boolean(is_number));
-      const bool is_header = c == 0 && !is_number;
+      const ColumnKind kind = c < table.columns.size() ? table.columns[c].kind : ColumnKind::text;
+      cell.set("kind", column_class(kind));
+      const bool is_header = c == 0 && kind != ColumnKind::number;
       cell.set("is_header", boolean(is_header));
       cell.set("tag", is_header ? "th" : "td");
       set_tone(cell, each.tone, language);

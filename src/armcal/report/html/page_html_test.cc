@@ -22,7 +22,7 @@ const std::string kHostile = "<script>alert('1')</script> \"q\" & {{title}} </st
 // One of every kind of block, the same text in all of its places.
 Page page_of_all_blocks(const std::string& text) {
   const Table table = {.caption = text,
-                       .columns = {{text, false}, {text}},
+                       .columns = {{text, ColumnKind::text}, {text}},
                        .rows = {{{text}, {text, Tone::bad}}, {{text}, {text}}},
                        .note = text,
                        .shown = 1};

@@ -61,7 +61,7 @@ void add_residuals(Chart& chart, const std::vector<ResidualRow>& rows, const Lan
       if (!x) continue;
       series.x.push_back(*x);
       series.y.push_back(row.residual_mm);
-      series.labels.push_back(row.place);
+      series.labels.push_back(row.label);
     }
     if (!series.x.empty()) chart.series.push_back(std::move(series));
   }
@@ -140,12 +140,14 @@ Figure histogram_figure(const std::vector<double>& components, const Language& s
   Chart chart;
   chart.id = "residual-histogram";
   chart.title = say("figures.histogram");
+  const HistogramBins bins = histogram_bins(components);
   chart.text = say("figures.histogram_text", components.size());
+  if (bins.beyond > 0) chart.text += say("figures.histogram_beyond", bins.beyond);
   chart.x.label = say("figures.standardised_axis");
   chart.y.label = say("figures.count_axis");
   chart.nothing = say("figures.nothing");
   return figure_of(with_histogram(std::move(chart), say("figures.components"),
-                                  say("figures.normal_density"), components));
+                                  say("figures.normal_density"), bins));
 }
 
 Figure quantile_figure(const std::vector<double>& components, const Language& say) {
@@ -289,7 +291,7 @@ Section arm_section(const DocumentView& document, const std::vector<ResidualRow>
       largest = row.residual_mm;
       drawing.shown = drawing.scene.postures.size();
     }
-    drawing.scene.postures.push_back({row.place, as_column(row.q_deg) * radians_from_degrees(1.0),
+    drawing.scene.postures.push_back({row.label, as_column(row.q_deg) * radians_from_degrees(1.0),
                                       row.residual_vector_mm, row.is_check});
   }
   drawing.scene.enlargement = nice_enlargement(drawing.scene);
@@ -339,8 +341,10 @@ Figures parameter_changes(const DocumentView& document, const Language& say) {
 
 Section numerics_section(const DocumentView& document, const Language& say) {
   Section section{"numerics", say("numerics.title"), say("numerics.lead"), {}};
+  const std::string reason = document.text("termination");
+  const std::string reason_key = fmt::format("numerics.reason.{}", reason);
   section.blocks.emplace_back(Facts{
-      {{say("numerics.termination"), document.text("termination")},
+      {{say("numerics.termination"), say.has(reason_key) ? say(reason_key) : reason},
        {say("numerics.iterations"), whole(document.number("iterations"))},
        {say("numerics.chi_squared"), fmt::format("{:.6g}", document.number("chi2"))},
        {say("numerics.degrees_of_freedom"), whole(document.number("dof"))},

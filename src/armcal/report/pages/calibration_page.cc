@@ -12,6 +12,7 @@
 #include "armcal/report/number_format.h"
 #include "armcal/report/pages/calibration_figures.h"
 #include "armcal/report/pages/parameter_table.h"
+#include "armcal/report/pages/verdict_words.h"
 #include "armcal/report/shown_number.h"
 
 namespace armcal {
@@ -37,6 +38,7 @@ struct Quality {
   Pooled nominal, fit, check, fit_floor, check_floor;
   std::optional<double> coverage;
   double sigma0 = 1.0;
+  std::size_t flagged = 0;     // rows
   bool scatters_more = false;  // than stated
   bool model_too_small = false;
 };
@@ -53,6 +55,7 @@ Quality quality_of(const DocumentView& document) {
   }
   quality.coverage = document.number_if("check_coverage");
   quality.sigma0 = document.number("sigma0");
+  quality.flagged = document.list("flagged").size();
   quality.scatters_more =
       document.number("dof") > 0 &&
       scatters_more_than_stated(quality.sigma0, document.number("chi2_probability"));
@@ -61,16 +64,19 @@ Quality quality_of(const DocumentView& document) {
 }
 
 Stamp calibration_stamp(const Quality& quality, const Language& say) {
-  std::string reservation;
+  std::vector<std::string> reservations;
   if (quality.model_too_small) {
-    reservation = say("calibration.model_too_small", fixed(100.0 * *quality.coverage, 1));
+    reservations.push_back(say("calibration.model_too_small", fixed(100.0 * *quality.coverage, 1)));
   } else if (quality.scatters_more) {
-    reservation = say("calibration.scatters_more", fixed(quality.sigma0, 3));
+    reservations.push_back(say("calibration.scatters_more", fixed(quality.sigma0, 3)));
   }
-  if (reservation.empty()) {
+  if (quality.flagged > 0) {
+    reservations.push_back(say("calibration.flagged_sentence", quality.flagged));
+  }
+  if (reservations.empty()) {
     return {say("calibration.converged"), say("calibration.converged_sentence"), Tone::good};
   }
-  return {say("calibration.with_reservation"), reservation, Tone::warning};
+  return {say("calibration.with_reservation"), run_on(reservations, say), Tone::warning};
 }
 
 Headlines calibration_headlines(const Quality& quality, const DocumentView& document,
@@ -115,9 +121,9 @@ void add_group_row(Table& table, const DocumentView& group, const std::string& r
 Table groups_table(const DocumentView& document, const Language& say) {
   Table table;
   table.caption = say("calibration.groups");
-  table.columns = {{say("calibration.readings"), false},
-                   {say("calibration.kind"), false},
-                   {say("calibration.rows"), false},
+  table.columns = {{say("calibration.readings"), ColumnKind::text},
+                   {say("calibration.kind"), ColumnKind::text},
+                   {say("calibration.rows"), ColumnKind::text},
                    {say("calibration.count")},
                    {say("calibration.rms")},
                    {say("calibration.mean")},
@@ -193,12 +199,12 @@ Section calibration_unseen_section(const DocumentView& document, const Language&
 Table worst_rows(const std::vector<ResidualRow>& rows, const Language& say) {
   Table table;
   table.caption = say("calibration.worst_rows");
-  table.columns = {{say("calibration.place"), false},
-                   {say("calibration.readings"), false},
+  table.columns = {{say("calibration.place"), ColumnKind::prose},
+                   {say("calibration.readings"), ColumnKind::text},
                    {say("calibration.residual")},
                    {say("calibration.normalised")},
                    {say("calibration.u")},
-                   {say("calibration.set"), false}};
+                   {say("calibration.set"), ColumnKind::text}};
   std::vector<const ResidualRow*> order;
   for (const ResidualRow& row : rows) order.push_back(&row);
   std::stable_sort(order.begin(), order.end(),

@@ -112,11 +112,11 @@ Headlines check_headlines(const DocumentView& document, const Language& say) {
 Table check_tests_table(const DocumentView& document, const Language& say) {
   Table table;
   table.caption = say("check.tests");
-  table.columns = {{say("check.quantity"), false},
+  table.columns = {{say("check.quantity"), ColumnKind::text},
                    {say("verification.value_mm")},
                    {say("check.limit_mm")},
                    {say("check.share")},
-                   {say("verification.verdict_column"), false}};
+                   {say("verification.verdict_column"), ColumnKind::text}};
   for (const DocumentView& test : document.list("tests")) {
     const double value = test.number("value_mm");
     const auto limit = test.number_if("mpe_mm");
@@ -134,7 +134,8 @@ Table check_tests_table(const DocumentView& document, const Language& say) {
 
 Section check_definitions_section(const DocumentView& document, const Language& say) {
   Table table;
-  table.columns = {{say("check.quantity"), false}, {say("check.definition"), false}};
+  table.columns = {{say("check.quantity"), ColumnKind::text},
+                   {say("check.definition"), ColumnKind::prose}};
   for (const DocumentView& test : document.list("tests")) {
     table.rows.push_back({{title_of_check_value(test.text("name"), say)},
                           {in_language(test.text("definition"), "check.phrase", say)}});
@@ -145,8 +146,11 @@ Section check_definitions_section(const DocumentView& document, const Language& 
 Table check_places_table(const DocumentView& document, const Language& say) {
   Table table;
   table.caption = say("check.places");
-  table.columns = {
-      {say("check.place"), false}, {say("check.points")}, {"x, mm"}, {"y, mm"}, {"z, mm"}};
+  table.columns = {{say("check.place"), ColumnKind::text},
+                   {say("check.points")},
+                   {"x, mm"},
+                   {"y, mm"},
+                   {"z, mm"}};
   for (const DocumentView& place : document.list("places")) {
     std::vector<Cell> cells = {{place.text("name")}, {whole(place.number("count"))}};
     for (const double each : place.numbers("center_mm")) cells.push_back({mm_text(each)});
@@ -189,8 +193,9 @@ Notice drift_notice(const TrendHistory& trend, const Language& say) {
 Table rules_table(const DocumentView& trend, const Language& say) {
   Table table;
   table.caption = say("check.broken_rules");
-  table.columns = {
-      {say("check.check"), false}, {say("check.date"), false}, {say("check.rule_column"), false}};
+  table.columns = {{say("check.check"), ColumnKind::text},
+                   {say("check.date"), ColumnKind::text},
+                   {say("check.rule_column"), ColumnKind::prose}};
   const TrendHistory history = trend_history(trend, say);
   for (const BrokenRule& rule : broken_rules(trend, say)) {
     const auto at = std::find_if(history.checks.begin(), history.checks.end(),
@@ -207,8 +212,9 @@ Table history_table(const TrendHistory& trend, const Language& say) {
   constexpr std::size_t kShown = 8;
   Table table;
   table.caption = say("check.history");
-  table.columns = {
-      {say("check.check"), false}, {say("check.date"), false}, {say("verification.value_mm")}};
+  table.columns = {{say("check.check"), ColumnKind::text},
+                   {say("check.date"), ColumnKind::text},
+                   {say("verification.value_mm")}};
   for (auto each = trend.checks.rbegin(); each != trend.checks.rend(); ++each) {
     table.rows.push_back(
         {{each->number},

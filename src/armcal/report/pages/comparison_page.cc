@@ -10,10 +10,13 @@
 #include "armcal/report/chart/chart.h"
 #include "armcal/report/comparison_cells.h"
 #include "armcal/report/number_format.h"
+#include "armcal/report/pages/phrase_book.h"
 #include "armcal/report/shown_number.h"
 
 namespace armcal {
 namespace {
+
+constexpr const char* kComparisonPhrases = "compare.phrase";
 
 // A method as a point of a chart: numbered as in its table.
 struct Point {
@@ -45,20 +48,43 @@ Figure scatter(const char* id, const std::string& title, const std::string& axis
   return figure_of(chart);
 }
 
-std::string comparison_remark(const DocumentView& method) {
-  std::string remark = method.text_if("remark").value_or("");
+// "simulated annealing, all parameters" is a name with an addition.
+std::string said(const std::string& phrase, const Language& say) {
+  constexpr std::string_view kAddition = ", all parameters";
+  if (phrase.ends_with(kAddition)) {
+    const std::string name = phrase.substr(0, phrase.size() - kAddition.size());
+    const std::string named = in_language(name, kComparisonPhrases, say);
+    if (named != name) return say("compare.phrase.with_all", named);
+  }
+  return in_language(phrase, kComparisonPhrases, say);
+}
+
+std::string title_in(const DocumentView& method, const Language& say) {
+  return said(method.text("title"), say);
+}
+
+std::string comparison_remark(const DocumentView& method, const Language& say) {
+  std::string remark = said(method.text_if("remark").value_or(""), say);
   if (const auto problem = method.text_if("problem")) {
-    remark += fmt::format("{}{}", remark.empty() ? "" : "; ", *problem);
+    remark += fmt::format("{}{}", remark.empty() ? "" : "; ", said(*problem, say));
   }
   return remark;
 }
 
+// The point with the smallest error; nothing where there is none.
+std::optional<Point> best_of(const std::vector<Point>& points) {
+  const auto best = std::min_element(
+      points.begin(), points.end(),
+      [](const Point& one, const Point& other) { return one.error_mm < other.error_mm; });
+  return best == points.end() ? std::nullopt : std::optional(*best);
+}
+
 // --- methods on a drawn arm
 
-std::vector<Cell> drawn_row(const DocumentView& method, std::size_t number) {
+std::vector<Cell> drawn_row(const DocumentView& method, std::size_t number, const Language& say) {
   std::vector<Cell> row = {{fmt::format("{}", number)},
-                           {method.text("title")},
-                           {method.text("needs")},
+                           {title_in(method, say)},
+                           {said(method.text("needs"), say)},
                            {whole(method.number("readings"))}};
   if (!method.has("point_rms_mm")) {
     row.resize(11);
@@ -73,15 +99,15 @@ std::vector<Cell> drawn_row(const DocumentView& method, std::size_t number) {
                                  : ""});
     row.push_back({seconds_cell(method.number("seconds"))});
   }
-  row.push_back({comparison_remark(method)});
+  row.push_back({comparison_remark(method, say)});
   return row;
 }
 
 Table drawn_table(const DocumentView& document, const Language& say) {
   Table table;
   table.columns = {{"#"},
-                   {say("compare.method"), false},
-                   {say("compare.needs"), false},
+                   {say("compare.method"), ColumnKind::prose},
+                   {say("compare.needs"), ColumnKind::prose},
                    {say("compare.readings")},
                    {say("compare.rms")},
                    {say("compare.mean")},
@@ -90,52 +116,93 @@ Table drawn_table(const DocumentView& document, const Language& say) {
                    {say("compare.over_noise")},
                    {say("compare.inside")},
                    {say("compare.time")},
-                   {say("compare.remark"), false}};
+                   {say("compare.remark"), ColumnKind::prose}};
   for (const DocumentView& method : document.list("methods")) {
-    table.rows.push_back(drawn_row(method, table.rows.size() + 1));
+    table.rows.push_back(drawn_row(method, table.rows.size() + 1, say));
   }
   table.note = say("compare.drawn_note", fixed(document.number("noise_floor_mm"), 4));
   return table;
 }
 
-Figures drawn_figures(const DocumentView& document, const Language& say) {
+// What can be shown of a method: errors that are not of an arm as it came, by the readings it took.
+struct DrawnPoints {
   std::vector<Point> over_time, over_readings;
+  std::optional<double> nominal_mm;
+};
+
+DrawnPoints points_of(const DocumentView& document, const Language& say) {
+  DrawnPoints points;
   std::size_t number = 0;
   for (const DocumentView& method : document.list("methods")) {
     ++number;
-    if (!method.has("point_rms_mm") || method.number("readings") <= 0) continue;
+    if (!method.has("point_rms_mm")) continue;
     const double error_mm = method.number("point_rms_mm");
-    over_time.push_back({number, method.text("title"), method.number("seconds"), error_mm});
-    over_readings.push_back({number, method.text("title"), method.number("readings"), error_mm});
+    const double readings = method.number("readings");
+    if (readings <= 0) {
+      points.nominal_mm = error_mm;
+      continue;
+    }
+    const std::string title = title_in(method, say);
+    points.over_time.push_back({number, title, method.number("seconds"), error_mm});
+    points.over_readings.push_back({number, title, readings, error_mm});
   }
+  return points;
+}
+
+Headlines drawn_headlines(const DocumentView& document, const DrawnPoints& points,
+                          const Language& say) {
+  Headlines headlines;
+  headlines.items.push_back({say("compare.compared"),
+                             whole(static_cast<double>(document.list("methods").size())), "",
+                             say("compare.compared_note", whole(document.number("repeats")),
+                                 whole(document.number("budget"))),
+                             Tone::neutral});
+  if (points.nominal_mm) {
+    headlines.items.push_back({say("compare.uncalibrated"), error_cell(*points.nominal_mm), "mm",
+                               say("compare.uncalibrated_note"), Tone::neutral});
+  }
+  if (const auto best = best_of(points.over_readings)) {
+    headlines.items.push_back({say("compare.best"), error_cell(best->error_mm), "mm",
+                               say("compare.best_note", best->title), Tone::neutral});
+  }
+  headlines.items.push_back({say("compare.floor_headline"),
+                             fixed(document.number("noise_floor_mm"), 4), "mm",
+                             say("compare.floor_headline_note"), Tone::neutral});
+  return headlines;
+}
+
+Figures drawn_figures(const DocumentView& document, const DrawnPoints& points,
+                      const Language& say) {
   const double floor_mm = document.number("noise_floor_mm");
-  return {{scatter("error-over-time", say("compare.over_time"), say("compare.time_axis"), over_time,
-                   floor_mm, say),
+  return {{scatter("error-over-time", say("compare.over_time"), say("compare.time_axis"),
+                   points.over_time, floor_mm, say),
            scatter("error-over-readings", say("compare.over_readings"),
-                   say("compare.readings_axis"), over_readings, floor_mm, say)}};
+                   say("compare.readings_axis"), points.over_readings, floor_mm, say)}};
 }
 
 Page drawn_arms(const DocumentView& document, const Language& say) {
   Page page;
   page.title = say("compare.title");
-  page.subtitle = fmt::format("{}: {}", document.text("scenario"), document.text("title"));
-  Facts facts{
-      {{say("compare.arms"), whole(document.number("repeats"))},
-       {say("compare.budget"), whole(document.number("budget"))},
-       {say("compare.u_reference"), fmt::format("{:g} mm", document.number("u_reference_mm"))},
-       {say("compare.floor_fact"), fixed(document.number("noise_floor_mm"), 4) + " mm"}}};
-  page.sections.push_back({"methods",
-                           say("compare.methods"),
-                           say("compare.drawn_lead"),
-                           {facts, drawn_table(document, say), drawn_figures(document, say)}});
+  page.subtitle =
+      fmt::format("{}: {}", document.text("scenario"), said(document.text("title"), say));
+  const DrawnPoints points = points_of(document, say);
+  const Facts facts{
+      {{say("compare.u_reference"), fmt::format("{:g} mm", document.number("u_reference_mm"))}}};
+  page.sections.push_back(
+      {"summary",
+       say("compare.summary"),
+       say("compare.drawn_lead"),
+       {drawn_headlines(document, points, say), drawn_figures(document, points, say)}});
+  page.sections.push_back(
+      {"methods", say("compare.methods"), "", {facts, drawn_table(document, say)}});
   return page;
 }
 
 // --- methods on the readings of a session
 
-std::vector<Cell> session_row(const DocumentView& method, std::size_t number) {
+std::vector<Cell> session_row(const DocumentView& method, std::size_t number, const Language& say) {
   std::vector<Cell> row = {
-      {fmt::format("{}", number)}, {method.text("title")}, {whole(method.number("parameters"))}};
+      {fmt::format("{}", number)}, {title_in(method, say)}, {whole(method.number("parameters"))}};
   const bool has_figures = method.has("fitted") && method.has("held_out");
   if (!has_figures) {
     row.resize(8);
@@ -149,14 +216,14 @@ std::vector<Cell> session_row(const DocumentView& method, std::size_t number) {
     row.push_back({over_stated ? ratio_cell(*over_stated) : ""});
   }
   row.push_back({seconds_cell(method.number("seconds"))});
-  row.push_back({comparison_remark(method)});
+  row.push_back({comparison_remark(method, say)});
   return row;
 }
 
 Page session(const DocumentView& document, const Language& say) {
   Table table;
   table.columns = {{"#"},
-                   {say("compare.method"), false},
+                   {say("compare.method"), ColumnKind::prose},
                    {say("compare.parameters")},
                    {say("compare.fitted_rms")},
                    {say("compare.held_out_rms")},
@@ -164,24 +231,42 @@ Page session(const DocumentView& document, const Language& say) {
                    {say("compare.max")},
                    {say("compare.over_stated")},
                    {say("compare.time")},
-                   {say("compare.remark"), false}};
+                   {say("compare.remark"), ColumnKind::prose}};
   std::vector<Point> points;
+  std::optional<double> nominal_mm;
   for (const DocumentView& method : document.list("methods")) {
     const std::size_t number = table.rows.size() + 1;
-    table.rows.push_back(session_row(method, number));
-    if (!method.has("held_out") || method.number("parameters") <= 0) continue;
-    points.push_back({number, method.text("title"), method.number("seconds"),
+    table.rows.push_back(session_row(method, number, say));
+    if (!method.has("held_out")) continue;
+    if (method.number("parameters") <= 0) {
+      nominal_mm = method["held_out"].number("rms_mm");
+      continue;
+    }
+    points.push_back({number, title_in(method, say), method.number("seconds"),
                       method["held_out"].number("rms_mm")});
   }
   Page page;
   page.title = say("compare.title");
   page.subtitle = document.text("arm_name");
-  Facts facts{{{say("compare.fitted_rows"), whole(document.number("fitted"))},
-               {say("compare.held_out_rows"), whole(document.number("held_out"))}}};
+  Headlines headlines;
+  headlines.items.push_back({say("compare.compared"), whole(static_cast<double>(table.rows.size())),
+                             "",
+                             say("compare.compared_session_note", whole(document.number("fitted")),
+                                 whole(document.number("held_out"))),
+                             Tone::neutral});
+  if (nominal_mm) {
+    headlines.items.push_back({say("compare.uncalibrated"), error_cell(*nominal_mm), "mm",
+                               say("compare.uncalibrated_note"), Tone::neutral});
+  }
+  if (const auto best = best_of(points)) {
+    headlines.items.push_back({say("compare.best_session"), error_cell(best->error_mm), "mm",
+                               say("compare.best_note", best->title), Tone::neutral});
+  }
   Figures figures{{scatter("error-over-time", say("compare.over_time"), say("compare.time_axis"),
                            points, std::nullopt, say)}};
   page.sections.push_back(
-      {"methods", say("compare.methods"), say("compare.session_lead"), {facts, table, figures}});
+      {"summary", say("compare.summary"), say("compare.session_lead"), {headlines, figures}});
+  page.sections.push_back({"methods", say("compare.methods"), "", {std::move(table)}});
   return page;
 }
 
@@ -191,8 +276,8 @@ std::string whole_percent(double share) { return fmt::format("{:.0f} %", 100.0 *
 
 Page paper_sphere(const DocumentView& document, const Language& say) {
   Table table;
-  table.columns = {{say("compare.neglected"), false},
-                   {say("compare.size"), false},
+  table.columns = {{say("compare.neglected"), ColumnKind::prose},
+                   {say("compare.size"), ColumnKind::prose},
                    {say("compare.arms")},
                    {say("compare.one_median")},
                    {say("compare.one_largest")},
@@ -202,8 +287,9 @@ Page paper_sphere(const DocumentView& document, const Language& say) {
                    {say("compare.five_share")},
                    {say("compare.form")}};
   for (const DocumentView& effect : document.list("effects")) {
-    std::vector<Cell> row = {
-        {effect.text("name")}, {effect.text("brief")}, {whole(effect.number("arms"))}};
+    std::vector<Cell> row = {{said(effect.text("name"), say)},
+                             {said(effect.text("brief"), say)},
+                             {whole(effect.number("arms"))}};
     for (const char* key : {"one_articulation", "five_articulations"}) {
       const DocumentView errors = effect[key];
       row.push_back({error_cell(errors.number("median_mm"))});

@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "armcal/comparison/methods/registry.h"
 #include "armcal/report/comparison_report.h"
 #include "armcal/report/paper_sphere_report.h"
 #include "armcal/report/session_comparison_report.h"
@@ -60,8 +61,10 @@ Json effects() {
 
 // The one table of a page.
 Table table_of(const Page& page) {
-  for (const Block& block : page.sections.at(0).blocks) {
-    if (const auto* table = std::get_if<Table>(&block)) return *table;
+  for (const Section& section : page.sections) {
+    for (const Block& block : section.blocks) {
+      if (const auto* table = std::get_if<Table>(&block)) return *table;
+    }
   }
   ADD_FAILURE() << "no table";
   return {};
@@ -110,6 +113,35 @@ TEST(ComparisonPage, NumbersPointsAsTheTableDoes) {
     EXPECT_THAT(figure.svg, HasSubstr(">1<"));
     EXPECT_THAT(figure.svg, HasSubstr(">2<"));
     EXPECT_THAT(figure.svg, Not(HasSubstr(">3<")));
+  }
+}
+
+TEST(ComparisonPage, BeginsWithTheSmallestErrorAndWhatItIsHeldAgainst) {
+  Json document = drawn_arms();
+  document["methods"].push_back(document["methods"][0]);
+  document["methods"][3]["title"] = "nominal arm";
+  document["methods"][3]["readings"] = 0;
+  document["methods"][3]["point_rms_mm"] = 0.47;
+  document["methods"][1]["point_rms_mm"] = 0.0033;
+  const auto headlines =
+      std::get<Headlines>(page_in("en", document).sections.at(0).blocks.front()).items;
+  ASSERT_EQ(headlines.size(), 4U);
+  EXPECT_EQ(headlines[0].value, "4");
+  EXPECT_EQ(headlines[1].value, "0.4700");
+  EXPECT_EQ(headlines[2].value, "0.0033");
+  EXPECT_THAT(headlines[2].note, HasSubstr("ball bar"));
+  EXPECT_EQ(headlines[3].value, "0.0154");
+}
+
+TEST(ComparisonPage, NamesEveryMethodInTheLanguageOfTheReader) {
+  Comparison comparison{*scenario_named("romer"), 5, 3, 0.0154, {}};
+  for (const Method& method : all_methods()) {
+    comparison.rows.push_back({.name = method.name, .title = method.title, .needs = method.needs});
+  }
+  ASSERT_GT(comparison.rows.size(), 20U);
+  const Page page = page_in("zh", document_of("compare", json_result(comparison)));
+  for (const auto& row : table_of(page).rows) {
+    for (const Cell& cell : row) EXPECT_THAT(cell.text, Not(::testing::ContainsRegex("[a-z]{4}")));
   }
 }
 

@@ -8,6 +8,7 @@
 
 #include "armcal/report/number_format.h"
 #include "armcal/report/pages/calibration_page.h"
+#include "armcal/report/pages/phrase_book.h"
 #include "armcal/report/pages/symmetric_point_page.h"
 #include "armcal/report/shown_number.h"
 
@@ -19,11 +20,11 @@ constexpr int kPrintedDecimals = 3;  // of the paper's tables
 Table table2_of(const DocumentView& document, const Language& say) {
   Table table;
   table.caption = say("demo.table2");
-  table.columns = {{say("parameters.name"), false},
+  table.columns = {{say("parameters.name"), ColumnKind::text},
                    {say("demo.printed")},
                    {say("demo.literal")},
                    {say("demo.consistent")},
-                   {say("parameters.unit"), false}};
+                   {say("parameters.unit"), ColumnKind::text}};
   const DocumentView printed = document["table2"];
   for (const auto& [name, ignored] : printed.json().items()) {
     const auto cell = [&](const char* key) {
@@ -53,8 +54,12 @@ Page paper(const DocumentView& document, const Language& say) {
 Table kits_of(const DocumentView& document, const Language& say) {
   Table table;
   table.caption = say("demo.kits");
-  table.columns = {{say("demo.kit"), false}, {say("compare.readings")}, {say("compare.rms")},
-                   {say("compare.max")},     {say("demo.over_floor")},  {say("demo.scale")},
+  table.columns = {{say("demo.kit"), ColumnKind::prose},
+                   {say("compare.readings")},
+                   {say("compare.rms")},
+                   {say("compare.max")},
+                   {say("demo.over_floor")},
+                   {say("demo.scale")},
                    {say("compare.inside")}};
   const auto add = [&](const std::string& name, const DocumentView& truth) {
     const bool is_calibrated = truth.has("intervals");
@@ -70,7 +75,9 @@ Table kits_of(const DocumentView& document, const Language& say) {
                         : "\u2013"}});
   };
   add(say("demo.as_drawn"), document["drawing"]);
-  for (const DocumentView& kit : document.list("calibrations")) add(kit.text("name"), kit);
+  for (const DocumentView& kit : document.list("calibrations")) {
+    add(in_language(kit.text("name"), "demo.phrase", say), kit);
+  }
   table.note = say("demo.kits_note", fixed(document.number("floor_mm"), 4));
   return table;
 }

@@ -23,7 +23,7 @@ Table references_table(const std::vector<ReferenceStandard>& references, const L
   table.caption = say("details.references");
   for (const char* key : {"details.name", "details.serial", "details.certificate",
                           "details.traceable_to", "details.u_of_reference", "details.due"}) {
-    table.columns.push_back({say(key), false});
+    table.columns.push_back({say(key), ColumnKind::text});
   }
   for (const ReferenceStandard& each : references) {
     table.rows.push_back({{each.name},
@@ -124,7 +124,7 @@ Section origin_section(const DocumentView& document, const Language& say) {
   }
   Table inputs;
   inputs.caption = say("origin.inputs");
-  inputs.columns = {{say("origin.file"), false}, {"SHA-256", false}};
+  inputs.columns = {{say("origin.file"), ColumnKind::prose}, {"SHA-256", ColumnKind::prose}};
   for (const DocumentView& each : document.list("inputs")) {
     inputs.rows.push_back({{each.text("path")}, {each.text("sha256")}});
   }

@@ -34,14 +34,14 @@ Cell diff_remark(const DocumentView& change, const Language& say) {
 Table changes_table(const DocumentView& document, const Language& say) {
   Table table;
   table.caption = say("diff.caption");
-  table.columns = {{say("parameters.name"), false},
+  table.columns = {{say("parameters.name"), ColumnKind::text},
                    {say("diff.before")},
                    {say("diff.after")},
                    {say("parameters.change")},
                    {"u"},
-                   {say("parameters.unit"), false},
+                   {say("parameters.unit"), ColumnKind::text},
                    {say("diff.ratio")},
-                   {say("compare.remark"), false}};
+                   {say("compare.remark"), ColumnKind::prose}};
   for (const DocumentView& change : document.list("changes")) {
     if (is_idle(change)) continue;
     const ShownUnit shown = shown_unit(change.text("name"), change.text("unit"));

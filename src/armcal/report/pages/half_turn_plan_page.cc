@@ -28,7 +28,9 @@ Headlines half_turn_headlines(const DocumentView& document, const Language& say)
 Table half_turn_parameters(const DocumentView& document, const Language& say) {
   Table table;
   table.caption = say("half_turn_plan.predicted");
-  table.columns = {{say("parameters.name"), false}, {"u"}, {say("parameters.unit"), false}};
+  table.columns = {{say("parameters.name"), ColumnKind::text},
+                   {"u"},
+                   {say("parameters.unit"), ColumnKind::text}};
   for (const DocumentView& parameter : document.list("parameters")) {
     const ShownUnit shown = shown_unit(parameter.text("name"), parameter.text("unit"));
     const double u = shown.factor * parameter.number("u");
@@ -47,9 +49,9 @@ std::string angles_text(const std::vector<double>& deg) {
 Table worksheet_of(const DocumentView& document, const Language& say) {
   Table table;
   table.caption = say("half_turn_plan.worksheet");
-  table.columns = {{say("symmetric.reading"), false},
+  table.columns = {{say("symmetric.reading"), ColumnKind::text},
                    {say("symmetric.joint")},
-                   {say("half_turn_plan.posture"), false},
+                   {say("half_turn_plan.posture"), ColumnKind::text},
                    {say("half_turn_plan.distance")},
                    {"u, mm"},
                    {say("symmetric.redundancy")}};

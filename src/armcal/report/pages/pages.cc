@@ -12,12 +12,14 @@
 #include "armcal/report/pages/demo_page.h"
 #include "armcal/report/pages/details_sections.h"
 #include "armcal/report/pages/diff_page.h"
+#include "armcal/report/pages/fit_page.h"
 #include "armcal/report/pages/half_turn_plan_page.h"
 #include "armcal/report/pages/plain_page.h"
 #include "armcal/report/pages/plan_page.h"
 #include "armcal/report/pages/probe_page.h"
 #include "armcal/report/pages/sphere_test_page.h"
 #include "armcal/report/pages/symmetric_point_page.h"
+#include "armcal/report/pages/tips_page.h"
 #include "armcal/report/pages/verification_page.h"
 
 namespace armcal {
@@ -43,6 +45,10 @@ constexpr std::array kPages = {
     PageKind{"probe", probe_page},
     PageKind{"plan symmetric-point", half_turn_plan_page},
     PageKind{"diff", diff_page},
+    PageKind{"fit", fit_page},
+    PageKind{"register", registration_page},
+    PageKind{"fk", tips_page},
+    PageKind{"predict", tips_page},
 };
 
 Page page_by_command(const DocumentView& document, const Language& say) {

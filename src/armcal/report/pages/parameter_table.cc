@@ -35,13 +35,13 @@ std::vector<Cell> parameter_row(const DocumentView& parameter, const Language& s
 Table parameter_table(const DocumentView& document, const Language& say) {
   Table table;
   table.caption = say("parameters.caption");
-  table.columns = {{say("parameters.name"), false},
+  table.columns = {{say("parameters.name"), ColumnKind::text},
                    {say("parameters.nominal")},
                    {say("parameters.value")},
                    {say("parameters.change")},
                    {say("parameters.u")},
-                   {say("parameters.unit"), false},
-                   {say("parameters.status"), false},
+                   {say("parameters.unit"), ColumnKind::text},
+                   {say("parameters.status"), ColumnKind::text},
                    {say("parameters.data_share")}};
   for (const DocumentView& parameter : document.list("parameters")) {
     const std::string status = parameter.text("status");

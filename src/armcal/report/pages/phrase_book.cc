@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: the armcal authors
 // SPDX-License-Identifier: Apache-2.0
-#include <cmath>
-
 #include "armcal/report/pages/phrase_book.h"
 
 #include <fmt/format.h>

@@ -91,7 +91,7 @@ Table table_of_objects(const Json& list, const Language& say) {
       const auto found = row.find(key);
       return found == row.end() || found->is_number() || found->is_null();
     });
-    table.columns.push_back({key, is_number});
+    table.columns.push_back({key, is_number ? ColumnKind::number : ColumnKind::text});
   }
   for (std::size_t r = 0; r < std::min(list.size(), kMostRows); ++r) {
     std::vector<Cell> cells;
@@ -105,7 +105,7 @@ Table table_of_objects(const Json& list, const Language& say) {
 Table table_of_matrix(const Json& matrix, const Language& say) {
   Table table;
   for (std::size_t c = 0; c < matrix.front().size(); ++c) {
-    table.columns.push_back({fmt::format("{}", c + 1), true});
+    table.columns.push_back({fmt::format("{}", c + 1)});
   }
   for (std::size_t r = 0; r < std::min(matrix.size(), kMostRows); ++r) {
     std::vector<Cell> cells;
@@ -122,7 +122,8 @@ Table table_of_matrix(const Json& matrix, const Language& say) {
 // Numbered from 1.
 Table table_of_list(const Json& list, const Language& say) {
   Table table;
-  table.columns = {{"#"}, {"", std::all_of(list.begin(), list.end(), is_number_or_null)}};
+  const bool is_number = std::all_of(list.begin(), list.end(), is_number_or_null);
+  table.columns = {{"#"}, {"", is_number ? ColumnKind::number : ColumnKind::text}};
   for (std::size_t r = 0; r < std::min(list.size(), kMostRows); ++r) {
     table.rows.push_back({{fmt::format("{}", r + 1)}, {short_text(list[r])}});
   }

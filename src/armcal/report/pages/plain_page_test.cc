@@ -79,7 +79,7 @@ TEST(PlainPage, ShowsListsOfObjectsAsOneTableOfAllTheirKeys) {
       Json::parse(R"([{"name": "a", "x": 1}, {"x": null, "more": [1, [2]]}, {"name": "c"}])"));
   std::vector<std::pair<std::string, bool>> columns;
   for (const TableColumn& column : table.columns) {
-    columns.emplace_back(column.title, column.is_number);
+    columns.emplace_back(column.title, column.kind == ColumnKind::number);
   }
   EXPECT_THAT(columns, ElementsAre(Pair("name", false), Pair("x", true), Pair("more", false)));
   EXPECT_THAT(texts(table.rows[0]), ElementsAre("a", "1", ""));
@@ -100,7 +100,7 @@ TEST(PlainPage, ShowsObjectsLongListsAndTexts) {
               ElementsAre(Pair("a", "1"), Pair("b", "1, 2")));
   const Table list = block_of_key<Table>({1, 2, 3, 4, 5, 6, "x"});
   EXPECT_THAT(texts(list.rows.back()), ElementsAre("7", "x"));
-  EXPECT_FALSE(list.columns[1].is_number);
+  EXPECT_EQ(list.columns[1].kind, ColumnKind::text);
   EXPECT_EQ(block_of_key<Verbatim>("two\nlines").text, "two\nlines");
 }
 

@@ -81,7 +81,8 @@ Table coverage_table(const DocumentView& document, const Language& say) {
   Table table;
   table.caption = say("verification_plan.coverage");
   const std::vector<double> together = document.numbers("joint_coverage");
-  table.columns = {{say("verification_plan.test"), false}, {say("verification_plan.points")}};
+  table.columns = {{say("verification_plan.test"), ColumnKind::prose},
+                   {say("verification_plan.points")}};
   for (std::size_t j = 1; j <= together.size(); ++j)
     table.columns.push_back({fmt::format("q{}", j)});
   for (const DocumentView& test : document.list("tests")) {
@@ -101,9 +102,9 @@ void add_point(const Eigen::Vector3d& point, int decimals, std::vector<Cell>& ce
 Table plan_places_table(const std::vector<DocumentView>& tests, const Language& say) {
   Table table;
   table.caption = say("verification_plan.places");
-  table.columns = {{say("verification_plan.test"), false},
-                   {say("verification_plan.thing"), false},
-                   {say("verification_plan.position_column"), false},
+  table.columns = {{say("verification_plan.test"), ColumnKind::prose},
+                   {say("verification_plan.thing"), ColumnKind::text},
+                   {say("verification_plan.position_column"), ColumnKind::text},
                    {"x, mm"},
                    {"y, mm"},
                    {"z, mm"},
@@ -135,8 +136,8 @@ Table plan_places_table(const std::vector<DocumentView>& tests, const Language& 
 Table bars_table(const std::vector<DocumentView>& tests, const Language& say) {
   Table table;
   table.caption = say("verification_plan.bars_table");
-  table.columns = {{say("verification_plan.test"), false},
-                   {say("verification_plan.position_column"), false},
+  table.columns = {{say("verification_plan.test"), ColumnKind::prose},
+                   {say("verification_plan.position_column"), ColumnKind::text},
                    {say("verification_plan.length")},
                    {"A x, mm"},
                    {"A y, mm"},

@@ -74,9 +74,14 @@ std::vector<Cell> cells_of(const DocumentView& coordinate) {
 Table probe_tip_table(const DocumentView& document, const Language& say) {
   Table table;
   table.caption = say("probe.tip");
-  table.columns = {{say("probe.coordinate"), false}, {say("probe.before")}, {say("probe.after")},
-                   {say("probe.change_mm")},         {say("probe.u_mm")},   {say("probe.U_mm")},
-                   {say("probe.change_over_u")},     {say("probe.swing")}};
+  table.columns = {{say("probe.coordinate"), ColumnKind::text},
+                   {say("probe.before")},
+                   {say("probe.after")},
+                   {say("probe.change_mm")},
+                   {say("probe.u_mm")},
+                   {say("probe.U_mm")},
+                   {say("probe.change_over_u")},
+                   {say("probe.swing")}};
   for (const DocumentView& each : document.list("tip")) table.rows.push_back(cells_of(each));
   table.note = say("probe.tip_note");
   return table;

@@ -4,7 +4,9 @@
 
 #include <fmt/format.h>
 
+#include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "armcal/core/utc_time.h"
 
@@ -39,6 +41,27 @@ std::vector<DocumentView> column(const DocumentView& rows, const char* key, std:
   return entries;
 }
 
+// Names of files without their folders, where that is enough to tell them apart.
+class ShortNames {
+ public:
+  explicit ShortNames(const std::vector<DocumentView>& files) {
+    for (const DocumentView& file : files) {
+      const std::string path = file.as_text();
+      paths_[name_in(path)].insert(path);
+    }
+  }
+  [[nodiscard]] std::string of(const std::string& path) const {
+    const std::string name = name_in(path);
+    return paths_.at(name).size() == 1 ? name : path;
+  }
+
+ private:
+  static std::string name_in(const std::string& path) {
+    return path.substr(path.find_last_of("/\\") + 1);
+  }
+  std::map<std::string, std::set<std::string>> paths_;
+};
+
 }  // namespace
 
 std::vector<ResidualRow> residual_rows(const DocumentView& document) {
@@ -56,11 +79,14 @@ std::vector<ResidualRow> residual_rows(const DocumentView& document) {
   const auto tip = column(rows, "tip_mm", count);
   const auto vector = column(rows, "residual_vector_mm", count);
   const auto components = column(rows, "components", count);
+  const ShortNames names(file);
   std::vector<ResidualRow> result(count);
   for (std::size_t i = 0; i < count; ++i) {
     ResidualRow& row = result[i];
     row.group = group[i].as_text();
-    row.place = fmt::format("{}:{:.0f}", file[i].as_text(), line[i].as_number());
+    const std::string path = file[i].as_text();
+    row.place = fmt::format("{}:{:.0f}", path, line[i].as_number());
+    row.label = fmt::format("{}:{:.0f}", names.of(path), line[i].as_number());
     row.is_check = check[i].as_flag();
     row.residual_mm = residual[i].as_number();
     row.normalised = normalised[i].as_number();

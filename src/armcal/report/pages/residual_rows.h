@@ -14,7 +14,8 @@ namespace armcal {
 /// One row of readings of a calibration, from the columns of the key `rows`.
 struct ResidualRow {
   std::string group;
-  std::string place;  ///< "cmm.csv:118"
+  std::string place;  ///< "readings/cmm.csv:118"
+  std::string label;  ///< "cmm.csv:118" where no other file has that name, else as `place`
   bool is_check = false;
   double residual_mm = 0.0;
   double normalised = 0.0;

@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "armcal/report/chart/chart.h"
 #include "armcal/report/number_format.h"
+#include "armcal/report/pages/deviations_figure.h"
 #include "armcal/report/pages/sphere_map.h"
 #include "armcal/report/pages/verdict_words.h"
 #include "armcal/report/shown_number.h"
@@ -61,10 +61,10 @@ Headlines sphere_headlines(const DocumentView& document, const Language& say) {
 Table sphere_tests_table(const DocumentView& document, const Language& say) {
   Table table;
   table.caption = say("sphere_test.tests");
-  table.columns = {{say("sphere_test.test"), false},
+  table.columns = {{say("sphere_test.test"), ColumnKind::text},
                    {say("verification.value_mm")},
                    {say("sphere_test.limit_mm")},
-                   {say("verification.verdict_column"), false}};
+                   {say("verification.verdict_column"), ColumnKind::text}};
   for (const DocumentView& test : document.list("tests")) {
     table.rows.push_back({{sphere_title(test, say)},
                           {mm_text(test.number_if("value_mm"))},
@@ -95,31 +95,13 @@ Facts facts_of(const DocumentView& document, const Language& say) {
   return facts;
 }
 
-// The form error is the distance between the two lines.
+// The form error is the distance between the outer lines.
 Figure figure_in_order(const std::vector<double>& deviations, const Language& say) {
-  Chart chart;
-  chart.id = "deviation-order";
-  chart.title = say("sphere_test.in_order");
-  chart.text = say("sphere_test.in_order_text");
-  chart.nothing = say("sphere_test.no_points");
-  chart.x.label = say("sphere_test.point_axis");
-  chart.x.low = 0.5;
-  chart.x.high = static_cast<double>(deviations.size()) + 0.5;
-  chart.y.label = say("sphere_test.deviation_axis");
-  ChartSeries series;
-  for (std::size_t i = 0; i < deviations.size(); ++i) {
-    series.x.push_back(static_cast<double>(i + 1));
-    series.y.push_back(deviations[i]);
-    series.labels.push_back(say("sphere_test.point", i + 1));
-  }
-  if (!deviations.empty()) {
-    const auto [low, high] = std::minmax_element(deviations.begin(), deviations.end());
-    chart.lines = {{false, *high, say("sphere_test.largest"), Tone::neutral},
-                   {false, *low, say("sphere_test.smallest"), Tone::neutral},
-                   {false, 0.0, "", Tone::neutral}};
-  }
-  chart.series.push_back(std::move(series));
-  return figure_of(chart);
+  return deviations_figure(
+      deviations,
+      {say("sphere_test.in_order"), say("sphere_test.in_order_text"), say("sphere_test.point_axis"),
+       say("sphere_test.deviation_axis"), "sphere_test.point"},
+      say);
 }
 
 Figure figure_by_direction(const DocumentView& document, const std::vector<double>& deviations,
@@ -157,7 +139,7 @@ Section points_section(const DocumentView& document, const Language& say) {
 Table spans_table(const std::vector<double>& spans_deg, const Language& say) {
   Table table;
   table.caption = say("sphere_test.spans");
-  table.columns = {{say("sphere_test.joint"), false}, {say("sphere_test.span")}};
+  table.columns = {{say("sphere_test.joint"), ColumnKind::text}, {say("sphere_test.span")}};
   for (std::size_t i = 0; i < spans_deg.size(); ++i) {
     table.rows.push_back({{fmt::format("q{}", i + 1)}, {fixed(spans_deg[i], 1)}});
   }
@@ -168,7 +150,7 @@ Table blind_table(const std::vector<DocumentView>& spots, const Language& say) {
   constexpr std::size_t kShown = 12;
   Table table;
   table.caption = say("sphere_test.blind_spots");
-  table.columns = {{say("sphere_test.parameter"), false}, {say("sphere_test.shown")}};
+  table.columns = {{say("sphere_test.parameter"), ColumnKind::text}, {say("sphere_test.shown")}};
   for (const DocumentView& each : spots) {
     table.rows.push_back({{each.text("parameter")}, {fixed(each.number("shown_mm_per_mm"), 3)}});
   }

@@ -136,12 +136,12 @@ std::vector<std::string> findings_of(const DocumentView& document, const Languag
 Table symmetric_parameters(const DocumentView& document, const Language& say) {
   Table table;
   table.caption = say("symmetric.parameters_caption");
-  table.columns = {{say("parameters.name"), false},
+  table.columns = {{say("parameters.name"), ColumnKind::text},
                    {say("symmetric.chain")},
                    {"u"},
                    {say("symmetric.adjusted")},
                    {"u"},
-                   {say("parameters.unit"), false}};
+                   {say("parameters.unit"), ColumnKind::text}};
   const DocumentView chain = document["chain"];
   const DocumentView chain_u = document["chain_u"];
   const DocumentView adjusted = document["adjusted"];
@@ -174,18 +174,18 @@ Cell check_cell(const DocumentView& reading, const Language& say) {
 Table readings_of(const DocumentView& document, const Language& say) {
   Table table;
   table.caption = say("symmetric.readings_caption");
-  table.columns = {{say("symmetric.reading"), false},
-                   {say("symmetric.kind"), false},
+  table.columns = {{say("symmetric.reading"), ColumnKind::text},
+                   {say("symmetric.kind"), ColumnKind::text},
                    {say("symmetric.joint")},
                    {say("symmetric.value")},
                    {"u"},
-                   {say("parameters.unit"), false},
+                   {say("parameters.unit"), ColumnKind::text},
                    {say("symmetric.by_arm_file")},
                    {say("symmetric.predicted")},
                    {say("symmetric.residual")},
                    {say("symmetric.redundancy")},
                    {say("symmetric.detectable")},
-                   {say("symmetric.check"), false}};
+                   {say("symmetric.check"), ColumnKind::text}};
   for (const DocumentView& reading : document.list("readings")) {
     const int decimals = decimals_of(reading);
     const std::string kind = reading.text("kind");
@@ -212,10 +212,14 @@ std::optional<Table> claims_of(const DocumentView& document, const Language& say
   if (claims.empty()) return std::nullopt;
   Table table;
   table.caption = say("symmetric.claims_caption");
-  table.columns = {{say("symmetric.claim"), false},           {say("symmetric.claimed")},
-                   {say("symmetric.readings_give")},          {say("symmetric.difference")},
-                   {say("parameters.unit"), false},           {say("symmetric.verdict"), false},
-                   {say("symmetric.contradicted_by"), false}, {say("symmetric.reconciled_by")}};
+  table.columns = {{say("symmetric.claim"), ColumnKind::text},
+                   {say("symmetric.claimed")},
+                   {say("symmetric.readings_give")},
+                   {say("symmetric.difference")},
+                   {say("parameters.unit"), ColumnKind::text},
+                   {say("symmetric.verdict"), ColumnKind::text},
+                   {say("symmetric.contradicted_by"), ColumnKind::text},
+                   {say("symmetric.reconciled_by")}};
   for (const DocumentView& claim : claims) {
     const bool agrees = claim.flag("agrees");
     const char* verdict = !agrees                      ? "symmetric.disagrees"

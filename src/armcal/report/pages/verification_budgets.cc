@@ -35,7 +35,8 @@ std::string of_source(const DocumentView& budget, std::string_view source) {
 Table table_by_source(const Language& say) {
   Table table;
   table.caption = say("verification.budget.by_source");
-  table.columns = {{say("verification.test"), false}, {say("verification.budget.of"), false}};
+  table.columns = {{say("verification.test"), ColumnKind::prose},
+                   {say("verification.budget.of"), ColumnKind::text}};
   for (const char* source : kSources) {
     table.columns.push_back({say(fmt::format("verification.budget.source.{}", source))});
   }
@@ -48,11 +49,11 @@ Table table_by_source(const Language& say) {
 Table table_of_contributions(const Language& say) {
   Table table;
   table.caption = say("verification.budget.contributions");
-  table.columns = {{say("verification.test"), false},
-                   {say("verification.budget.of"), false},
-                   {say("verification.budget.contribution"), false},
+  table.columns = {{say("verification.test"), ColumnKind::prose},
+                   {say("verification.budget.of"), ColumnKind::text},
+                   {say("verification.budget.contribution"), ColumnKind::text},
                    {say("verification.budget.u_of_input")},
-                   {say("verification.budget.unit"), false},
+                   {say("verification.budget.unit"), ColumnKind::text},
                    {say("verification.budget.sensitivity")},
                    {say("verification.budget.u_of_result")}};
   table.shown = kShown;

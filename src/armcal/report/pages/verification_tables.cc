@@ -60,7 +60,8 @@ Table tests_table(const std::vector<VerifiedRow>& rows, bool has_both, double co
                   const Language& say) {
   Table table;
   table.caption = say("verification.tests");
-  table.columns = {{say("verification.test"), false}, {say("verification.symbol"), false}};
+  table.columns = {{say("verification.test"), ColumnKind::prose},
+                   {say("verification.symbol"), ColumnKind::text}};
   if (has_both) {
     table.columns.push_back({say("verification.as_found_mm")});
     table.columns.push_back({say("verification.as_left_mm")});
@@ -71,7 +72,7 @@ Table tests_table(const std::vector<VerifiedRow>& rows, bool has_both, double co
                        {{say("verification.mpe_mm")},
                         {say("verification.U_mm", fmt::format("{:g}", coverage_factor))},
                         {say("verification.share")},
-                        {say("verification.verdict_column"), false}});
+                        {say("verification.verdict_column"), ColumnKind::text}});
   for (const VerifiedRow& row : rows) table.rows.push_back(cells_of(row, has_both, say));
   table.note = say("verification.tests_note");
   if (has_both) table.note = run_on({table.note, say("verification.as_found_note")}, say);
@@ -81,10 +82,10 @@ Table tests_table(const std::vector<VerifiedRow>& rows, bool has_both, double co
 Table deciding_table(const std::vector<VerifiedRow>& rows, const Language& say) {
   Table table;
   table.caption = say("verification.decides");
-  table.columns = {{say("verification.test"), false},
-                   {say("verification.decided_by"), false},
-                   {say("verification.from"), false},
-                   {say("verification.limit"), false}};
+  table.columns = {{say("verification.test"), ColumnKind::prose},
+                   {say("verification.decided_by"), ColumnKind::prose},
+                   {say("verification.from"), ColumnKind::prose},
+                   {say("verification.limit"), ColumnKind::text}};
   for (const VerifiedRow& row : rows) {
     if (row.judged.decided_by.empty()) continue;
     const VerifiedPart* part = part_named(row.judged);
@@ -99,10 +100,11 @@ Table deciding_table(const std::vector<VerifiedRow>& rows, const Language& say) 
 Table few_parts_table(const std::vector<VerifiedRow>& rows, const Language& say) {
   const bool has_both = have_as_left(rows);
   Table table;
-  table.columns = {{say("verification.test"), false}, {say("verification.part"), false}};
+  table.columns = {{say("verification.test"), ColumnKind::prose},
+                   {say("verification.part"), ColumnKind::text}};
   if (has_both) table.columns.push_back({say("verification.as_found_mm")});
   table.columns.push_back({say(has_both ? "verification.as_left_mm" : "verification.value_mm")});
-  table.columns.push_back({say("verification.from"), false});
+  table.columns.push_back({say("verification.from"), ColumnKind::prose});
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (are_worth_a_chart(rows[i]) || repeats_parts(rows, i)) continue;
     for (std::size_t part = 0; part < rows[i].judged.parts.size(); ++part) {
@@ -114,7 +116,8 @@ Table few_parts_table(const std::vector<VerifiedRow>& rows, const Language& say)
 
 Table definitions_table(const std::vector<VerifiedRow>& rows, const Language& say) {
   Table table;
-  table.columns = {{say("verification.test"), false}, {say("verification.definition"), false}};
+  table.columns = {{say("verification.test"), ColumnKind::prose},
+                   {say("verification.definition"), ColumnKind::prose}};
   std::set<std::string> told;
   for (const VerifiedRow& row : rows) {
     if (told.insert(row.definition).second) table.rows.push_back({{row.title}, {row.definition}});
