@@ -153,6 +153,11 @@ int run(std::span<const std::string> arguments, const Console& console) {
                   verb,        {arguments.begin(), arguments.end()},
                   flags.report};
   try {
+    const bool makes_its_own = verb == "report" || verb == "demo";
+    if (flags.report.details_file && !flags.report.is_placed() && !makes_its_own) {
+      throw std::invalid_argument(
+          "--details are for a report: say --report FILE or --pdf FILE too");
+    }
     std::optional<ReportWriter> report;
     if (flags.report.is_placed() && verb != "report") {
       report.emplace(flags.report, context.overwrite, monitor);

@@ -41,19 +41,19 @@ int run_report(const ReportFlags& flags, const Context& context) {
   }
   if (flags.output) check_may_write(*flags.output, context.overwrite);
   InputFiles files(context.monitor);
-  const std::string document = load_result_document(files, flags.result);
-  if (flags.extract) return extract(flags, context, document, files);
+  SavedResult saved = load_saved_result(files, flags.result);
+  if (flags.extract) return extract(flags, context, saved.document, files);
 
   ReportOrder order = context.report_order;
   order.html = flags.output;
-  const ReportWriter writer(order, context.overwrite, context.monitor);
+  const ReportWriter writer(order, context.overwrite, context.monitor, std::move(saved.details));
   Json json;
   std::string text;
   for (const std::string& path : writer.paths()) {
     context.require_no_input(path, files.records());
     text += fmt::format("{}\n", path);
   }
-  writer.write(document, flags.result);
+  writer.write(saved.document, flags.result);
   json["reports"] = writer.paths();
   json["language"] = order.language;
   context.emit(files.records(), files.diagnostics(), json, text);

@@ -7,8 +7,12 @@
 
 namespace armcal::cli {
 
-ReportWriter::ReportWriter(ReportOrder order, Overwrite overwrite, const Monitor& monitor)
-    : order_(std::move(order)), overwrite_(overwrite), monitor_(monitor) {
+ReportWriter::ReportWriter(ReportOrder order, Overwrite overwrite, const Monitor& monitor,
+                           ReportDetails kept)
+    : order_(std::move(order)),
+      overwrite_(overwrite),
+      monitor_(monitor),
+      details_(std::move(kept)) {
   for (const std::string& path : paths()) check_may_write(path, overwrite_);
   if (order_.pdf) browser_ = printing_browser();
   if (order_.details_file) {

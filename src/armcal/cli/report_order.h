@@ -29,7 +29,9 @@ class ReportWriter {
  public:
   /// @throws InputError for details that cannot be read and files that are there already; FileError
   /// where a PDF is wanted and nothing prints
-  ReportWriter(ReportOrder order, Overwrite overwrite, const Monitor& monitor);
+  /// @param kept  details where the order names no file of them
+  ReportWriter(ReportOrder order, Overwrite overwrite, const Monitor& monitor,
+               ReportDetails kept = {});
 
   /// Writes it. @param file  that the document came from, for messages
   /// @throws InputError where a file of the report is one of the inputs, and as html_report

@@ -34,6 +34,7 @@ std::optional<ReportDetails> read_report_details(const TextFile& file, Diagnosti
   TomlSection root(*document, diagnostics);
   check_schema(root, "details", diagnostics);
   ReportDetails details;
+  details.source = file.text;
   read_fields(root,
               {{"title", &details.title}, {"number", &details.number}, {"place", &details.place}});
   for (const auto& [key, party] :

@@ -49,6 +49,7 @@ struct ReportDetails {
   struct Release {
     std::string name, role;
   } released_by;
+  std::string source;  ///< text of the file that all this came from
 };
 
 /// Reads a details file (*.details.toml, schema armcal.details/1). Problems, unknown keys among

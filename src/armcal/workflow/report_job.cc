@@ -29,14 +29,22 @@ Json parsed(const std::string& document, const std::string& file) {
 
 }  // namespace
 
-std::string load_result_document(InputFiles& files, const std::string& path) {
+SavedResult load_saved_result(InputFiles& files, const std::string& path) {
   const auto text = files.text(path, kLargestTable_bytes);
   files.require_good();
   const std::size_t first = text->text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
-  if (first == std::string::npos || text->text[first] != '<') return text->text;
+  if (first == std::string::npos || text->text[first] != '<') return {text->text, {}};
   auto document = document_in_html(text->text);
   if (!document) refuse(path, "is a web page, but no report of armcal");
-  return std::move(*document);
+  SavedResult saved{std::move(*document), {}};
+  if (const auto details = details_in_html(text->text)) {
+    const TextFile file{path + " (its details)", *details, text->encoding, ""};
+    if (auto read = read_report_details(file, files.diagnostics())) {
+      saved.details = std::move(*read);
+    }
+    files.require_good();
+  }
+  return saved;
 }
 
 ReportDetails load_report_details(InputFiles& files, const std::string& path) {
@@ -51,7 +59,8 @@ std::string html_report(const std::string& document, const std::string& file,
                         std::string_view language, const ReportDetails& details) {
   const Json json = parsed(document, file);
   const Language& words = Language::named(language);
-  return html_of(page_of(DocumentView(json, file), words, details), words, document);
+  return html_of(page_of(DocumentView(json, file), words, details), words, document,
+                 details.source);
 }
 
 }  // namespace armcal

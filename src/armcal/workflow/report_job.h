@@ -10,9 +10,15 @@
 
 namespace armcal {
 
-/// The result document that a file holds: what --json printed or --save wrote, or a report that has
-/// it in itself. Byte for byte as it was. @throws InputError where it is neither
-[[nodiscard]] std::string load_result_document(InputFiles& files, const std::string& path);
+/// What a report is made of.
+struct SavedResult {
+  std::string document;   ///< JSON, byte for byte as it was
+  ReportDetails details;  ///< of the report that held the document; else empty
+};
+
+/// What a file holds: what --json printed or --save wrote, or a report that has it in itself.
+/// @throws InputError where it is neither
+[[nodiscard]] SavedResult load_saved_result(InputFiles& files, const std::string& path);
 
 /// @throws InputError with every problem of the details file
 [[nodiscard]] ReportDetails load_report_details(InputFiles& files, const std::string& path);

@@ -6,7 +6,7 @@ import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { openBrowser, openReport, showAllFigures } from "./browser.mjs";
 import { reportsOf } from "./reports.mjs";
-import { findTool, run, temporaryFolder } from "./tools.mjs";
+import { armcal, findTool, run, temporaryFolder } from "./tools.mjs";
 
 const A4 = { width: 595, height: 842 }; // points
 const COUNTERS = { en: (x, y) => `Page ${x} of ${y}`, zh: (x, y) => `第 ${x} 页，共 ${y} 页` };
@@ -23,9 +23,9 @@ for (const [name, path] of Object.entries(reports)) {
   test(`${name} on paper: every page is numbered, nothing is cut`, async () => {
     const language = name.split(".")[1];
     const pdf = join(folder, `${name}.pdf`);
+    armcal("report", path, "--pdf", pdf, "--lang", language);
     const page = await openReport(browser, path, { colorScheme: "dark" });
     await showAllFigures(page);
-    await page.pdf({ path: pdf, preferCSSPageSize: true });
     await page.emulateMedia({ media: "print" });
     const shown = await page.evaluate(() => ({
       paper: getComputedStyle(document.body).backgroundColor,

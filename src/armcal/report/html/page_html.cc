@@ -22,7 +22,9 @@ using Data = kainjow::mustache::data;
 
 constexpr std::string_view kDocumentBegin =
     "<script type=\"application/json\" id=\"armcal-result\">";
-constexpr std::string_view kDocumentEnd = "</script>";
+constexpr std::string_view kDetailsBegin =
+    "<script type=\"application/json\" id=\"armcal-details\">";
+constexpr std::string_view kEmbeddedEnd = "</script>";
 
 // Control characters as the pictures that Unicode has for them: browsers drop NUL, and a name shall
 // look like what it is.
@@ -225,11 +227,22 @@ std::string policy_for(const std::string& script) {
   return policy;
 }
 
+// What stands in the script element that begins so; the last one where there are several.
+std::optional<std::string> embedded(std::string_view html, std::string_view begin) {
+  const std::size_t found = html.rfind(begin);
+  if (found == std::string_view::npos) return std::nullopt;
+  const std::size_t from = found + begin.size();
+  const std::size_t end = html.find(kEmbeddedEnd, from);
+  if (end == std::string_view::npos) return std::nullopt;
+  return from_script(html.substr(from, end - from));
+}
+
 }  // namespace
 
 bool reports_have_scripts() { return !report_asset("report.js").empty(); }
 
-std::string html_of(const Page& page, const Language& language, const std::string& document) {
+std::string html_of(const Page& page, const Language& language, const std::string& document,
+                    const std::string& details) {
   const std::string script(report_asset("report.js"));
   Data data;
   data.set("language", language.code());
@@ -256,6 +269,10 @@ std::string html_of(const Page& page, const Language& language, const std::strin
                        language));
   data.set("script", text_or_false(script));
   data.set("policy", policy_for(script));
+  // As JSON, so that every byte of it comes back.
+  data.set("details", details.empty() ? Data(Data::type::bool_false)
+                                      : Data(script_safe(Json(details).dump(
+                                            -1, ' ', true, Json::error_handler_t::replace))));
   data.set("version", std::string(kVersion));
   set_words(data, language);
   // Put in last and by hand: the document may be large, and is no text of the template.
@@ -268,12 +285,14 @@ std::string html_of(const Page& page, const Language& language, const std::strin
 }
 
 std::optional<std::string> document_in_html(std::string_view html) {
-  const std::size_t begin = html.rfind(kDocumentBegin);
-  if (begin == std::string_view::npos) return std::nullopt;
-  const std::size_t from = begin + kDocumentBegin.size();
-  const std::size_t end = html.find(kDocumentEnd, from);
-  if (end == std::string_view::npos) return std::nullopt;
-  return from_script(html.substr(from, end - from));
+  return embedded(html, kDocumentBegin);
+}
+
+std::optional<std::string> details_in_html(std::string_view html) {
+  const auto text = embedded(html, kDetailsBegin);
+  if (!text) return std::nullopt;
+  const Json details = Json::parse(*text, nullptr, false);
+  return details.is_string() ? std::optional(details.get<std::string>()) : std::nullopt;
 }
 
 }  // namespace armcal

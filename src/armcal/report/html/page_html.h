@@ -18,12 +18,16 @@ namespace armcal {
 /// nothing: a text that slipped through unescaped would still run nothing.
 /// @param document  the result document (JSON) that the page was made from; `document_in_html`
 /// gives it back
+/// @param details  text of the details file that was used, which is kept in the same way
 [[nodiscard]] std::string html_of(const Page& page, const Language& language,
-                                  const std::string& document);
+                                  const std::string& document, const std::string& details = "");
 
 /// The result document that is embedded in a report, byte for byte as it was put in. Nothing where
 /// the text is no report of ours.
 [[nodiscard]] std::optional<std::string> document_in_html(std::string_view html);
+
+/// The text of the details file that a report was made with. Nothing where there was none.
+[[nodiscard]] std::optional<std::string> details_in_html(std::string_view html);
 
 /// Is the script (charts to zoom, the arm to turn) part of this build? Without Node it is not, and
 /// reports show their drawings.
