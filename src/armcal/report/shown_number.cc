@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <cctype>
+
 #include "armcal/core/units.h"
 
 namespace armcal {
@@ -16,5 +18,15 @@ ShownUnit shown_unit(std::string_view parameter, std::string_view unit) {
 }
 
 std::string whole(double count) { return fmt::format("{:.0f}", count); }
+
+std::string with_micro_sign(std::string text) {
+  const auto is_letter = [&](std::size_t at) {
+    return at < text.size() && std::isalpha(static_cast<unsigned char>(text[at])) != 0;
+  };
+  for (std::size_t at = text.find(" um"); at != std::string::npos; at = text.find(" um", at + 1)) {
+    if (!is_letter(at + 3)) text.replace(at, 3, " \u00b5m");
+  }
+  return text;
+}
 
 }  // namespace armcal

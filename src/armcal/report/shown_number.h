@@ -19,4 +19,7 @@ struct ShownUnit {
 /// A count, without decimals.
 [[nodiscard]] std::string whole(double count);
 
+/// Units as they are written where every letter can be: "30 um + L/40" gives "30 \u00b5m + L/40".
+[[nodiscard]] std::string with_micro_sign(std::string text);
+
 }  // namespace armcal

@@ -174,7 +174,7 @@ class LimitPicture {
     const double room = right - kBarMargin - value_width - 14.0;
     drawing.text(kBarMargin, top + 15.0, row.name, {.is_bold = true, .most_width = room});
     drawing.text(kBarMargin, top + 31.0, row.symbol,
-                 {.style = "tick", .size = 12.0, .most_width = has_both ? room : 220.0});
+                 {.style = "tick", .size = 12.0, .most_width = has_both ? room : right - kBarMargin});
     if (row.mpe > 0.0) draw_track(drawing, row, top + (has_both ? kExtraLine : 0.0) + 43.0);
   }
 

@@ -288,7 +288,7 @@ Page paper_sphere(const DocumentView& document, const Language& say) {
                    {say("compare.form")}};
   for (const DocumentView& effect : document.list("effects")) {
     std::vector<Cell> row = {{said(effect.text("name"), say)},
-                             {said(effect.text("brief"), say)},
+                             {with_micro_sign(said(effect.text("brief"), say))},
                              {whole(effect.number("arms"))}};
     for (const char* key : {"one_articulation", "five_articulations"}) {
       const DocumentView errors = effect[key];

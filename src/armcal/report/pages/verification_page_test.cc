@@ -92,7 +92,7 @@ TEST(VerificationPage, ShowsValueLimitUncertaintyAndVerdictAsTheDocumentHasThem)
                                         "0.0100 | 225 | fail | "));
   EXPECT_THAT(words_of(page),
               HasSubstr("length error, unidirectional | 800 mm at P1, repeat 1 | bar.csv:7 | "
-                        "20 um + L/50 | "));
+                        "20 \u00b5m + L/50 | "));
 }
 
 TEST(VerificationPage, SaysTheDecisionRuleWithItsCoverageFactor) {

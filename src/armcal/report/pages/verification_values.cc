@@ -7,6 +7,7 @@
 
 #include "armcal/report/pages/phrase_book.h"
 #include "armcal/report/pages/verdict_words.h"
+#include "armcal/report/shown_number.h"
 
 namespace armcal {
 namespace {
@@ -52,7 +53,7 @@ VerifiedRow verified_row(const DocumentView& test, const Language& say) {
     row.title = say("verification.title_of_test", row.title, row.test);
   }
   row.definition = in_language(test.text("definition"), kVerificationPhrases, say);
-  row.limit = test.text_if("limit").value_or("");
+  row.limit = with_micro_sign(test.text_if("limit").value_or(""));
   row.is_signed = test.has("is_signed") && test.flag("is_signed");
   row.judged = value_of(test, say);
   if (test.has("as_found")) row.as_found = value_of(test["as_found"], say);
