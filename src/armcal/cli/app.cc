@@ -94,11 +94,15 @@ class Failure {
   Failure(const Console& console, const CommonFlags& flags, std::string command)
       : console_(console), flags_(flags), command_(std::move(command)) {}
 
-  // Words on err; with --json also an object on out, so that a program need not read prose.
+  void result_is_out() { is_result_out_ = true; }
+  [[nodiscard]] bool is_result_out() const { return is_result_out_; }
+
+  // Words on err; with --json also an object on out, so that a program need not read prose: not a
+  // second one where the result is out already.
   [[nodiscard]] int report(int code, const std::string& message,
                            const Diagnostics& diagnostics = {}) const {
     console_.err << colored(message, wants_color(flags_, console_));
-    if (flags_.json) {
+    if (flags_.json && !is_result_out_) {
       console_.out << json_error({command_, {}, {}, std::nullopt, diagnostics}, code, message);
     }
     return code;
@@ -108,6 +112,7 @@ class Failure {
   const Console& console_;
   const CommonFlags& flags_;
   std::string command_;
+  bool is_result_out_ = false;
 };
 
 extern "C" void end_as_bug(int /*signal*/) { _exit(kBug); }
@@ -125,7 +130,7 @@ int run(std::span<const std::string> arguments, const Console& console) {
       flags.json || std::find(arguments.begin(), arguments.end(), "--json") != arguments.end();
   const std::string verb =
       parsed.full_name == root.name ? "" : parsed.full_name.substr(root.name.size() + 1);
-  const Failure failure(console, flags, verb);
+  Failure failure(console, flags, verb);
   if (!parsed.help.empty()) {
     console.out << parsed.help;
     return kDone;
@@ -167,6 +172,11 @@ int run(std::span<const std::string> arguments, const Console& console) {
     console.out.flush();
     if (!console.out)
       return failure.report(kDeviceFailure, "error: cannot write to standard output\n");
+    failure.result_is_out();
+    if (report && report->pdf_path()) {
+      report->print();
+      if (!flags.quiet) console.err << "report: " << *report->pdf_path() << "\n";
+    }
     return code;
   } catch (const InputError& error) {
     bar.wipe();
@@ -179,7 +189,9 @@ int run(std::span<const std::string> arguments, const Console& console) {
     return failure.report(kDeviceFailure, fmt::format("error: {}\n", error.what()));
   } catch (const Interrupted&) {
     bar.wipe();
-    return failure.report(kInterrupted, "interrupted: nothing was written\n");
+    return failure.report(kInterrupted, failure.is_result_out()
+                                            ? "interrupted: the PDF was not written\n"
+                                            : "interrupted: nothing was written\n");
   } catch (const std::invalid_argument& error) {
     bar.wipe();
     return failure.report(kWrongInput, fmt::format("error: {}\n", error.what()));

@@ -69,7 +69,7 @@ int run_check_command(const CheckFlags& flags, const Context& context) {
   const CheckRequest request = request_of(flags);
   if (flags.export_csv) {
     check_may_write(*flags.export_csv, context.overwrite);
-    context.require_no_input(*flags.export_csv, {{*request.history, ""}});
+    require_no_input(*flags.export_csv, std::vector<InputRecord>{{*request.history, ""}});
   }
   InputFiles files(context.monitor);
   const CheckSummary summary = run_check(files, request, flags.table.options());

@@ -6,7 +6,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <ostream>
 #include <thread>
 
@@ -57,30 +56,19 @@ void Context::emit(const std::vector<InputRecord>& inputs, const Diagnostics& di
   }
   const std::string result = document(inputs, diagnostics, json_result, seed);
   if (report != nullptr) {
-    for (const std::string& path : report->paths()) require_no_input(path, inputs);
-    report->write(result, "this result");
+    report->make(result, "this result", inputs);
+    report->write_page();
   }
   out << (json ? result : text);
-  if (report == nullptr || quiet) return;
-  for (const std::string& path : report->paths()) err << "report: " << path << "\n";
+  if (report != nullptr && report->page_path() && !quiet) {
+    err << "report: " << *report->page_path() << "\n";
+  }
 }
 
 std::string Context::document(const std::vector<InputRecord>& inputs,
                               const Diagnostics& diagnostics, const Json& json_result,
                               const std::optional<std::uint64_t>& seed) const {
   return json_document({command, command_line, inputs, seed, diagnostics}, json_result);
-}
-
-void Context::require_no_input(const std::string& path,
-                               const std::vector<InputRecord>& inputs) const {
-  for (const InputRecord& input : inputs) {
-    std::error_code ignored;
-    if (!std::filesystem::equivalent(path, input.path, ignored)) continue;
-    Diagnostics diagnostics;
-    diagnostics.error({path, 0, 0}, "is an input of this very command: it is not overwritten",
-                      "choose another name for the output");
-    throw InputError(diagnostics);
-  }
 }
 
 void Context::save(const std::string& path, const std::string& text,

@@ -76,12 +76,13 @@ struct Context {
   std::string command;                    ///< "fit circle"
   std::vector<std::string> command_line;  ///< as typed, without the program's name
   ReportOrder report_order;
-  const ReportWriter* report = nullptr;  ///< where one is wanted
+  ReportWriter* report = nullptr;  ///< where one is wanted
 
   /// Is the document of the result wanted, to print or to report?
   [[nodiscard]] bool wants_document() const { return json || report != nullptr; }
   /// Prints warnings to err (unless quiet) and the result to out: `text`, or with --json the
-  /// document; writes the report where one is wanted.
+  /// document; writes the page of the report where one is wanted (its PDF comes last, when the
+  /// result is out).
   /// @param seed  where random numbers were drawn
   void emit(const std::vector<InputRecord>& inputs, const Diagnostics& diagnostics,
             const Json& json, const std::string& text,
@@ -90,8 +91,6 @@ struct Context {
   [[nodiscard]] std::string document(const std::vector<InputRecord>& inputs,
                                      const Diagnostics& diagnostics, const Json& json,
                                      const std::optional<std::uint64_t>& seed) const;
-  /// @throws InputError where the path is one of the inputs
-  void require_no_input(const std::string& path, const std::vector<InputRecord>& inputs) const;
   /// Writes an output file. @throws InputError where it would overwrite one of the inputs, and as
   /// write_file
   void save(const std::string& path, const std::string& text,

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: the armcal authors
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <filesystem>
@@ -19,13 +20,18 @@ struct DemoFlags {
   bool open = false;
 };
 
-// The demo's own file, made anew by every run; a folder for each user of the machine.
+// The demo's own file, made anew by every run, in a folder that nobody else may write to.
 std::string path_of_report(const std::string& story) {
   const std::filesystem::path folder =
       std::filesystem::temp_directory_path() / fmt::format("armcal-demo-{}", getuid());
-  std::error_code failed;
-  std::filesystem::create_directories(folder, failed);
-  if (failed) throw FileError(fmt::format("cannot make the folder {}", folder.string()));
+  struct stat found = {};
+  const bool is_made = mkdir(folder.c_str(), 0700) == 0;
+  const bool is_ours = lstat(folder.c_str(), &found) == 0 && S_ISDIR(found.st_mode) &&
+                       found.st_uid == getuid() && (found.st_mode & 022) == 0;
+  if (!is_made && !is_ours) {
+    throw FileError(
+        fmt::format("{} is not a folder of yours alone: say --report FILE", folder.string()));
+  }
   return (folder / (story + ".html")).string();
 }
 
@@ -42,20 +48,19 @@ void tell(const std::string& story, const Context& context, const std::string& e
 
 int run_demo(const DemoFlags& flags, const Context& context) {
   const std::string story = flags.story.value_or("paper");
-  const bool is_placed = context.report != nullptr;
-  const std::string path = context.report_order.html.value_or(path_of_report(story));
-  if (is_placed) {
-    tell(story, context, "");
-  } else {
-    ReportOrder order = context.report_order;
-    order.html = path;
-    const ReportWriter report(order, Overwrite::allow, context.monitor);
-    Context reporting = context;
-    reporting.report = &report;
-    reporting.quiet = !context.json;  // the text itself ends with the path
-    tell(story, reporting, fmt::format("\nReport: {}\n", path));
+  std::optional<ReportWriter> own;
+  Context reporting = context;
+  if (reporting.report == nullptr) {
+    reporting.report = &own.emplace(context.report_order, context.overwrite, context.monitor);
   }
-  if (flags.open) open_in_browser(path);
+  std::string ending;
+  if (!reporting.report->page_path()) {
+    reporting.report->place_page(path_of_report(story));
+    ending = fmt::format("\nReport: {}\n", *reporting.report->page_path());
+    reporting.quiet = context.quiet || !context.json;  // the text itself ends with the path
+  }
+  tell(story, reporting, ending);
+  if (flags.open) open_in_browser(*reporting.report->page_path());
   return kDone;
 }
 

@@ -2,10 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
 
 #include "armcal/cli/command.h"
+#include "armcal/testing/temporary_folder.h"
 #include "armcal/testing/tool.h"
 
 namespace armcal::cli {
@@ -13,6 +17,7 @@ namespace {
 
 using ::testing::HasSubstr;
 using testing::tool;
+using testing::ToolResult;
 
 TEST(DemoCommand, TellsThePapersStory) {
   const auto result = tool({"demo"});
@@ -48,6 +53,45 @@ TEST(DemoCommand, TellsTheStoryOfAVirtualArm) {
   EXPECT_NEAR(blind["rms_mm_of_grown_arm"].get<double>(), 1.001 * blind["rms_mm"].get<double>(),
               1e-9);
   EXPECT_THAT(tool({"demo", "virtual"}).out, HasSubstr("armcal calibrate refuses the cone alone"));
+}
+
+class DemoReport : public ::testing::Test {
+ protected:
+  DemoReport() { setenv("TMPDIR", folder_.path("").c_str(), 1); }
+  ~DemoReport() override { unsetenv("TMPDIR"); }
+
+  [[nodiscard]] std::string page() const {
+    return folder_.path("armcal-demo-" + std::to_string(getuid()) + "/paper.html");
+  }
+  testing::TemporaryFolder folder_;
+};
+
+TEST_F(DemoReport, EndsTheTextWithItsPathAndIsMadeAnewEachTime) {
+  for (int run = 0; run < 2; ++run) {
+    const ToolResult result = tool({"demo"});
+    EXPECT_EQ(result.code, 0) << result.err;
+    EXPECT_THAT(result.out, ::testing::EndsWith("\nReport: " + page() + "\n"));
+    EXPECT_THAT(testing::read_bytes(page()), HasSubstr("The 2016 paper, recomputed"));
+  }
+}
+
+TEST_F(DemoReport, GoesWhereItIsAskedFor) {
+  const std::string html = folder_.path("mine.html");
+  const ToolResult result = tool({"demo", "--report", html});
+  EXPECT_EQ(result.code, 0);
+  EXPECT_THAT(result.out, ::testing::Not(HasSubstr("Report: ")));
+  EXPECT_TRUE(std::filesystem::exists(html));
+  EXPECT_FALSE(std::filesystem::exists(page()));
+  EXPECT_EQ(tool({"demo", "--report", html}).code, 2);  // not overwritten
+}
+
+TEST_F(DemoReport, IsNotPutIntoAFolderOfSomebodyElse) {
+  const std::string folder = std::filesystem::path(page()).parent_path().string();
+  std::filesystem::create_directory(folder);
+  std::filesystem::permissions(folder, std::filesystem::perms::all);
+  const ToolResult result = tool({"demo"});
+  EXPECT_EQ(result.code, 5);
+  EXPECT_THAT(result.err, HasSubstr("is not a folder of yours alone: say --report FILE"));
 }
 
 }  // namespace

@@ -20,6 +20,13 @@ struct DiffFlags {
   std::string after;
 };
 
+// By more than three times its uncertainty, or at all where neither calibration estimated it. What
+// only one of them estimated differs by convention.
+bool has_changed(const ParameterChange& change) {
+  constexpr double kNotable = 3.0;
+  return !change.held_in_one && std::abs(change.ratio) > kNotable;
+}
+
 Json json_of_changes(const std::vector<ParameterChange>& changes) {
   Json json;
   json["changes"] = Json::array();
@@ -31,7 +38,8 @@ Json json_of_changes(const std::vector<ParameterChange>& changes) {
                                {"change", each.after - each.before},
                                {"u", each.u},
                                {"ratio", json_number(each.ratio)},
-                               {"held_in_one", each.held_in_one}});
+                               {"held_in_one", each.held_in_one},
+                               {"changed", has_changed(each)}});
   }
   return json;
 }
@@ -45,15 +53,14 @@ std::string text_of_changes(const std::vector<ParameterChange>& changes) {
                    {"unit", Align::left},
                    {"change / u"},
                    {"", Align::left}});
-  constexpr double kNotable = 3.0;
   for (const ParameterChange& each : changes) {
     if (each.u == 0.0 && each.before == each.after) continue;
     const double factor = each.unit == ParameterUnit::mm ? 1.0 : degrees_from_radians(1.0);
     const int decimals = each.u > 0.0 ? decimals_for_uncertainty(factor * each.u) : 6;
     const bool is_finite = std::isfinite(each.ratio);
-    std::string remark;
-    if (each.held_in_one) remark = "held in one of them";
-    if (std::abs(each.ratio) > kNotable) remark = each.held_in_one ? remark : "changed";
+    const std::string remark = each.held_in_one    ? "held in one of them"
+                               : has_changed(each) ? "changed"
+                                                   : "";
     table.add_row({each.name, fixed(factor * each.before, decimals),
                    fixed(factor * each.after, decimals),
                    fixed(factor * (each.after - each.before), decimals),

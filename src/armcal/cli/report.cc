@@ -46,14 +46,13 @@ int run_report(const ReportFlags& flags, const Context& context) {
 
   ReportOrder order = context.report_order;
   order.html = flags.output;
-  const ReportWriter writer(order, context.overwrite, context.monitor, std::move(saved.details));
+  ReportWriter writer(order, context.overwrite, context.monitor, std::move(saved.details));
+  writer.make(saved.document, flags.result, files.records());
+  writer.print();
+  writer.write_page();
   Json json;
   std::string text;
-  for (const std::string& path : writer.paths()) {
-    context.require_no_input(path, files.records());
-    text += fmt::format("{}\n", path);
-  }
-  writer.write(saved.document, flags.result);
+  for (const std::string& path : writer.paths()) text += fmt::format("{}\n", path);
   json["reports"] = writer.paths();
   json["language"] = order.language;
   context.emit(files.records(), files.diagnostics(), json, text);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -27,24 +28,42 @@ struct ReportOrder {
 /// written. Made before long work begins.
 class ReportWriter {
  public:
-  /// @throws InputError for details that cannot be read and files that are there already; FileError
-  /// where a PDF is wanted and nothing prints
   /// @param kept  details where the order names no file of them
+  /// @throws InputError for details that cannot be read and files that are there already; FileError
+  /// where a PDF is wanted and nothing prints; std::invalid_argument where page and PDF are one
+  /// file
   ReportWriter(ReportOrder order, Overwrite overwrite, const Monitor& monitor,
                ReportDetails kept = {});
 
-  /// Writes it. @param file  that the document came from, for messages
-  /// @throws InputError where a file of the report is one of the inputs, and as html_report
-  void write(const std::string& document, const std::string& file) const;
-  /// Paths that are written.
+  /// Wants a page, too: one of our own, which may be there already.
+  void place_page(std::string path);
+
+  /// Makes the page of a result. Nothing is written yet.
+  /// @param file    that the document came from, for messages
+  /// @param inputs  files of the result
+  /// @throws InputError where a file of the report is one of the inputs or the details, and as
+  /// html_report
+  void make(const std::string& document, const std::string& file,
+            std::span<const InputRecord> inputs);
+  /// Writes the page that was made, where one is wanted.
+  void write_page() const;
+  /// Prints it, where that is wanted. @throws as print_as_pdf
+  void print() const;
+
+  [[nodiscard]] const std::optional<std::string>& page_path() const { return order_.html; }
+  [[nodiscard]] const std::optional<std::string>& pdf_path() const { return order_.pdf; }
+  /// Of both.
   [[nodiscard]] std::vector<std::string> paths() const;
 
  private:
   ReportOrder order_;
   Overwrite overwrite_;
+  Overwrite overwrite_page_;
   Monitor monitor_;
   ReportDetails details_;
+  std::vector<InputRecord> details_records_;
   std::string browser_;
+  std::string html_;
 };
 
 }  // namespace armcal::cli

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <signal.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -158,6 +160,21 @@ TEST(Reports, OverwriteNothing) {
   EXPECT_EQ(itself.code, 2);
 }
 
+TEST(Reports, OverwriteNeitherTheirDetailsNorEachOther) {
+  const TemporaryFolder folder;
+  const std::string details = folder.write(
+      "a.details.toml", testing::read_bytes(example("report/laboratory.details.toml")));
+  const ToolResult over = tool(fit_with({"--report", details, "--details", details, "--force"}));
+  EXPECT_EQ(over.code, 2);
+  EXPECT_EQ(testing::read_bytes(details),
+            testing::read_bytes(example("report/laboratory.details.toml")));
+  const std::string same = folder.path("same.x");
+  const ToolResult both = tool(fit_with({"--report", same, "--pdf", same}));
+  EXPECT_EQ(both.code, 2);
+  EXPECT_THAT(both.err, HasSubstr("cannot be the same file"));
+  EXPECT_FALSE(exists(same));
+}
+
 TEST(Reports, AreNotMadeOfFailures) {
   const TemporaryFolder folder;
   const std::string html = folder.path("r.html");
@@ -184,6 +201,10 @@ TEST(Reports, SayWhatAFileIsNot) {
   EXPECT_THAT(complaint(""), HasSubstr("is empty"));
   EXPECT_THAT(complaint("<!doctype html><p>news"),
               HasSubstr("is a web page, but no report of armcal"));
+  EXPECT_THAT(complaint("{\"schema\": \"armcal.result/1\", \"v\": 1e999}"),
+              HasSubstr("holds a number that is too large"));
+  EXPECT_THAT(complaint(std::string(100'000, '[') + std::string(100'000, ']')),
+              HasSubstr("is nested deeper than any result"));
   EXPECT_THAT(complaint("[1, 2]"), HasSubstr("is no result of armcal"));
   EXPECT_THAT(complaint("{\"schema\": \"armcal.result/2\", \"command\": \"fit\"}"),
               HasSubstr("key schema: is \"armcal.result/2\"; this armcal reads armcal.result/1"));
@@ -247,6 +268,49 @@ TEST(Pdf, WithoutABrowserIsRefusedBeforeTheWorkBegins) {
   setenv("PATH", path.c_str(), 1);
   EXPECT_EQ(nowhere.code, 5);
   EXPECT_THAT(nowhere.err, HasSubstr("no Chromium to print with: install it, or open the HTML"));
+}
+
+TEST(Pdf, TakesTheNameOfABrowserAndAFolderOfAnyName) {
+  const TemporaryFolder folder;
+  const Browser browser(folder, printing(folder));
+  const std::string path = std::getenv("PATH");
+  setenv("PATH", (folder.path("") + ":" + path).c_str(), 1);
+  setenv("ARMCAL_BROWSER", "browser", 1);
+  const std::string strange = folder.path("a #b%c?d");
+  std::filesystem::create_directory(strange);
+  setenv("TMPDIR", strange.c_str(), 1);
+  const ToolResult result = tool(fit_with({"--pdf", folder.path("r.pdf")}));
+  unsetenv("TMPDIR");
+  setenv("PATH", path.c_str(), 1);
+  EXPECT_EQ(result.code, 0) << result.err;
+  EXPECT_TRUE(exists(folder.path("r.pdf")));
+  EXPECT_TRUE(std::filesystem::is_empty(strange));  // nothing stays behind
+}
+
+// Helpers of the browser outlived it, and kept its folder.
+TEST(Pdf, LeavesNoProgramBehind) {
+  const TemporaryFolder folder;
+  const Browser browser(folder,
+                        "sleep 300 &\necho $! > '" + folder.path("pid") + "'\n" + printing(folder));
+  EXPECT_EQ(tool(fit_with({"--pdf", folder.path("r.pdf")})).code, 0);
+  const int helper = std::stoi(testing::read_bytes(folder.path("pid")));
+  for (int i = 0; i < 100 && kill(helper, 0) == 0; ++i) {
+    // It may be waiting to be collected by init.
+    const std::string state = testing::read_bytes("/proc/" + std::to_string(helper) + "/stat");
+    if (state.find(") Z ") != std::string::npos) return;
+    usleep(10'000);
+  }
+  EXPECT_NE(kill(helper, 0), 0);
+}
+
+TEST(Pdf, ThatFailsLosesNoResult) {
+  const TemporaryFolder folder;
+  const Browser browser(folder, "exit 3\n");
+  const ToolResult result =
+      tool(fit_with({"--json", "--pdf", folder.path("r.pdf"), "--report", folder.path("r.html")}));
+  EXPECT_EQ(result.code, 5);
+  EXPECT_EQ(result.json()["command"], "fit");  // one object: the result
+  EXPECT_TRUE(exists(folder.path("r.html")));
 }
 
 TEST(Pdf, SaysWhatTheBrowserSaidWhereItFails) {

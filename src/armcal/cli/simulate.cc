@@ -50,8 +50,7 @@ int run_simulate(const SimulateFlags& flags, const Context& context) {
       simulate(loaded, seed_or(flags.seed, loaded.scenario.seed), context.monitor);
   const SimulationFiles written = simulation_files(simulation, loaded.scenario);
   for (const FileText& file : written.files) {
-    context.require_no_input((std::filesystem::path(*flags.folder) / file.path).string(),
-                             files.records());
+    require_no_input((std::filesystem::path(*flags.folder) / file.path).string(), files.records());
   }
   write_simulation(written, *flags.folder, context.overwrite);
   context.emit(files.records(), files.diagnostics(),

@@ -19,6 +19,10 @@ ShownUnit shown_unit(std::string_view parameter, std::string_view unit) {
 
 std::string whole(double count) { return fmt::format("{:.0f}", count); }
 
+std::string condition_text(const std::optional<double>& condition_number) {
+  return condition_number ? fmt::format("{:.3g}", *condition_number) : "\u2013";
+}
+
 std::string with_micro_sign(std::string text) {
   const auto is_letter = [&](std::size_t at) {
     return at < text.size() && std::isalpha(static_cast<unsigned char>(text[at])) != 0;

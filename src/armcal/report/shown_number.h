@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -18,6 +19,9 @@ struct ShownUnit {
 
 /// A count, without decimals.
 [[nodiscard]] std::string whole(double count);
+
+/// A condition number; a dash where it is not finite, which a document has as null.
+[[nodiscard]] std::string condition_text(const std::optional<double>& condition_number);
 
 /// Units as they are written where every letter can be: "30 um + L/40" gives "30 \u00b5m + L/40".
 [[nodiscard]] std::string with_micro_sign(std::string text);

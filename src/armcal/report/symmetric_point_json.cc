@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: the armcal authors
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "armcal/core/units.h"
@@ -92,7 +93,8 @@ Json reading_json(const SymmetricPointAnalysis& analysis, std::size_t i) {
   return json;
 }
 
-Json claim_json(const ClaimCheck& claim) {
+// @param mends_angle  is the reading that would reconcile the claim an angle?
+Json claim_json(const ClaimCheck& claim, bool mends_angle) {
   Json json;
   json["name"] = claim.name;
   json["unit"] = unit_of_amount(claim.is_angle);
@@ -102,7 +104,7 @@ Json claim_json(const ClaimCheck& claim) {
   json["agrees"] = claim.agrees;
   json["sign_differs"] = claim.sign_differs;
   json["contradicted_by"] = claim.contradicted_by ? Json(*claim.contradicted_by) : Json();
-  json["reconciled_by_mm"] = json_of(claim.reconciled_by);
+  put(json, "reconciled_by", claim.reconciled_by, mends_angle);
   json["equals"] = claim.equals;
   return json;
 }
@@ -158,12 +160,20 @@ Json json_result(const SymmetricPointAnalysis& analysis) {
     json["readings"].push_back(reading_json(analysis, i));
   }
   json["claims"] = Json::array();
-  for (const ClaimCheck& claim : analysis.claims) json["claims"].push_back(claim_json(claim));
+  for (const ClaimCheck& claim : analysis.claims) {
+    const auto culprit = std::find_if(
+        analysis.readings.begin(), analysis.readings.end(),
+        [&](const SymmetricReading& reading) { return reading.name == claim.contradicted_by; });
+    const bool mends_angle = culprit != analysis.readings.end() && culprit->is_angle();
+    json["claims"].push_back(claim_json(claim, mends_angle));
+  }
   json["signs"] = Json::array();
   for (const SignCombination& combination : analysis.signs) {
     json["signs"].push_back(
         {{"turned", combination.turned}, {"misfit", json_number(combination.misfit)}});
   }
+  json["equally_good_signs"] = count_equally_good(analysis.signs);
+  json["compared_arm"] = analysis.compared ? Json(analysis.compared->name) : Json();
   json["leakage_of"] = analysis.leakage_of_chain ? "chain" : "adjustment";
   json["leakage_rows"] = analysis.leakage.recovered;
   json["leakage_columns"] = analysis.leakage.assumed;

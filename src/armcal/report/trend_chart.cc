@@ -34,14 +34,6 @@ class Scale {
   double high_ = -std::numeric_limits<double>::infinity();
 };
 
-// A limit that is far from all checks is left out: it would press them together.
-void include_limit(Scale& scale, double limit_mm, const CheckTrend& trend) {
-  constexpr double kNear_sigma = 12.0;
-  const bool near = !trend.limits ||
-                    std::abs(limit_mm - trend.limits->center) < kNear_sigma * trend.limits->sigma;
-  if (near) scale.include(limit_mm);
-}
-
 Scale scale_of(const CheckTrend& trend, std::size_t first) {
   Scale scale;
   for (std::size_t i = first; i < trend.points.size(); ++i) scale.include(trend.points[i].value_mm);
@@ -49,9 +41,14 @@ Scale scale_of(const CheckTrend& trend, std::size_t first) {
     scale.include(trend.limits->lower());
     scale.include(trend.limits->upper());
   }
-  if (trend.limit_mm) {
-    include_limit(scale, *trend.limit_mm, trend);
-    if (trend.is_signed) include_limit(scale, -*trend.limit_mm, trend);
+  if (!trend.limit_mm) return scale;
+  std::vector<double> values_mm;
+  for (std::size_t i = first; i < trend.points.size(); ++i) {
+    values_mm.push_back(trend.points[i].value_mm);
+  }
+  for (const double limit_mm : {*trend.limit_mm, -*trend.limit_mm}) {
+    if (limit_mm < 0.0 && !trend.is_signed) continue;
+    if (is_on_chart(limit_mm, values_mm, trend.limits)) scale.include(limit_mm);
   }
   return scale;
 }
@@ -104,6 +101,14 @@ std::string drift_line(const CheckTrend& trend) {
 }
 
 }  // namespace
+
+bool is_on_chart(double limit_mm, std::span<const double> values_mm,
+                 const std::optional<ControlLimits>& limits) {
+  constexpr double kNear_sigma = 12.0;
+  if (!limits || std::abs(limit_mm - limits->center) < kNear_sigma * limits->sigma) return true;
+  const auto [low, high] = std::minmax_element(values_mm.begin(), values_mm.end());
+  return low != values_mm.end() && limit_mm >= *low && limit_mm <= *high;
+}
 
 std::string drift_text(const Drift& drift) {
   return fmt::format("{}{} mm in 30 days (u {})", drift.mm_per_day < 0.0 ? "" : "+",

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "armcal/workflow/input_files.h"
 
+#include <filesystem>
+
 #include "armcal/io/arm_file.h"
 #include "armcal/io/sha256.h"
 #include "armcal/workflow/embedded_files.h"
@@ -49,6 +51,17 @@ std::optional<JointReadings> InputFiles::joints(const std::string& path, int joi
 
 void InputFiles::require_good() const {
   if (diagnostics_.has_errors()) throw InputError(diagnostics_);
+}
+
+void require_no_input(const std::string& path, std::span<const InputRecord> inputs) {
+  for (const InputRecord& input : inputs) {
+    std::error_code ignored;
+    if (!std::filesystem::equivalent(path, input.path, ignored)) continue;
+    Diagnostics diagnostics;
+    diagnostics.error({path, 0, 0}, "is an input of this very command: it is not overwritten",
+                      "choose another name for the output");
+    throw InputError(diagnostics);
+  }
 }
 
 }  // namespace armcal

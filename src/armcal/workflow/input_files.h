@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -50,5 +51,8 @@ class InputFiles {
   Diagnostics diagnostics_;
   std::vector<InputRecord> records_;
 };
+
+/// @throws InputError where the path is that of one of these files, which is not overwritten
+void require_no_input(const std::string& path, std::span<const InputRecord> inputs);
 
 }  // namespace armcal

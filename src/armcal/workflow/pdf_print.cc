@@ -2,14 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "armcal/workflow/pdf_print.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <signal.h>
-#include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
+#include <cerrno>
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
@@ -56,46 +55,27 @@ std::string read_all(const std::string& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-pid_t start(const std::vector<std::string>& words, const std::string& log) {
-  std::vector<char*> arguments;
-  for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
-  arguments.push_back(nullptr);
-  posix_spawn_file_actions_t files;
-  posix_spawn_file_actions_init(&files);
-  posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC,
-                                   0600);
-  posix_spawn_file_actions_adddup2(&files, STDOUT_FILENO, STDERR_FILENO);
-  // A group of its own: its helpers end with it.
-  posix_spawnattr_t manner;
-  posix_spawnattr_init(&manner);
-  posix_spawnattr_setflags(&manner, POSIX_SPAWN_SETPGROUP);
-  pid_t child = 0;
-  const int failed =
-      posix_spawn(&child, words.front().c_str(), &files, &manner, arguments.data(), environ);
-  posix_spawnattr_destroy(&manner);
-  posix_spawn_file_actions_destroy(&files);
-  if (failed != 0) throw FileError(fmt::format("{} cannot be started", words.front()));
-  return child;
-}
+// The browser and its helpers.
+void end(pid_t child) { kill(-child, SIGKILL); }
 
-void end(pid_t child) {
-  kill(-child, SIGKILL);
-  waitpid(child, nullptr, 0);
-}
-
-// @return its exit status
+// @return its exit status; 0 where the system keeps none for us, and what it printed has to tell
 int wait_for(pid_t child, const Monitor& monitor) {
   const auto begin = std::chrono::steady_clock::now();
   for (;;) {
     int status = 0;
-    if (waitpid(child, &status, WNOHANG) == child) return status;
+    const pid_t ended = waitpid(child, &status, WNOHANG);
+    if (ended == child || (ended < 0 && errno != EINTR)) {
+      end(child);  // helpers that are still busy with the folder
+      return ended == child ? status : 0;
+    }
     if (monitor.stop.stop_requested()) {
       end(child);
+      waitpid(child, nullptr, 0);
       throw Interrupted();
     }
     if (std::chrono::steady_clock::now() - begin > kLongest) {
       end(child);
+      waitpid(child, nullptr, 0);
       throw FileError(fmt::format("the browser did not print within {} s", kLongest.count()));
     }
     std::this_thread::sleep_for(20ms);
@@ -116,6 +96,11 @@ std::string last_line(const std::string& text) {
 std::string printing_browser() {
   if (const char* named = std::getenv("ARMCAL_BROWSER"); named != nullptr && *named != '\0') {
     if (is_program(named)) return named;
+    // A name alone is looked for as the shell does.
+    const std::array<std::string_view, 1> names = {named};
+    auto program =
+        names[0].find('/') == std::string_view::npos ? program_in_path(names) : std::nullopt;
+    if (program) return std::move(*program);
     throw FileError(fmt::format("ARMCAL_BROWSER names {}, which is no program", named));
   }
   constexpr std::array<std::string_view, 4> kNames = {"chromium", "chromium-browser",
@@ -145,8 +130,8 @@ void print_as_pdf(const std::string& html, const std::string& browser, const std
   // Chromium's own sandbox does not start for the superuser (containers); the page is our own and
   // its policy lets it fetch nothing.
   if (geteuid() == 0) words.emplace_back("--no-sandbox");
-  words.push_back("file://" + page);
-  const int status = wait_for(start(words, log), monitor);
+  words.push_back(file_url(page));
+  const int status = wait_for(start_program(words, log, Belonging::own_group), monitor);
   const std::string bytes = read_all(pdf);
   if (status != 0 || bytes.rfind("%PDF", 0) != 0) {
     throw FileError(

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
 #include "armcal/report/html/page_html.h"
 #include "armcal/report/pages/pages.h"
@@ -20,10 +21,19 @@ namespace {
 }
 
 Json parsed(const std::string& document, const std::string& file) {
+  constexpr int kDeepest = 64;  // what armcal writes has less than ten levels
+  const auto is_shallow = [](int depth, Json::parse_event_t /*event*/, Json& /*value*/) {
+    if (depth > kDeepest) throw std::length_error("nested deeper than any result");
+    return true;
+  };
   try {
-    return Json::parse(document);
+    return Json::parse(document, is_shallow);
   } catch (const Json::parse_error& error) {
     refuse(file, fmt::format("is not JSON (at byte {})", error.byte));
+  } catch (const Json::exception&) {
+    refuse(file, "holds a number that is too large");
+  } catch (const std::length_error& error) {
+    refuse(file, fmt::format("is {}", error.what()));
   }
 }
 

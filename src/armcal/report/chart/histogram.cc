@@ -15,7 +15,6 @@ namespace {
 constexpr int kMostBins = 60;
 constexpr double kLargest = 1e300;  // differences of values are finite
 constexpr double kFarAway = 5.0;    // ranges of the middle half
-constexpr int kCurvePoints = 97;
 constexpr std::size_t kBandPoints = 60;
 
 std::vector<double> sorted_finite(std::span<const double> values) {
@@ -32,10 +31,6 @@ double quantile_of_sorted(const std::vector<double>& sorted, double part) {
   const auto below = static_cast<std::size_t>(place);
   const std::size_t above = std::min(below + 1, sorted.size() - 1);
   return std::lerp(sorted[below], sorted[above], place - std::floor(place));
-}
-
-double normal_density(double x) {
-  return std::exp(-0.5 * x * x) / std::sqrt(2.0 * std::numbers::pi);
 }
 
 // Quantile of the beta distribution (i, n + 1 - i), by that of F.
@@ -103,18 +98,14 @@ Chart with_histogram(Chart chart, const std::string& name, const std::string& de
   if (bins.counts.empty()) return chart;
   double total = 0.0;
   for (const double count : bins.counts) total += count;
-  const double area = total * (bins.edges[1] - bins.edges[0]);
-  ChartSeries density{.name = density_name, .mark = Mark::line, .style = 1};
-  const double low = std::min(-3.5, bins.edges.front());
-  const double high = std::max(3.5, bins.edges.back());
-  for (int i = 0; i < kCurvePoints; ++i) {
-    const double x = low + (high - low) * i / (kCurvePoints - 1);
-    density.x.push_back(x);
-    density.y.push_back(area * normal_density(x));
+  ChartSeries expected{.name = density_name, .mark = Mark::steps, .style = 1, .x = bins.edges};
+  for (std::size_t i = 0; i < bins.counts.size(); ++i) {
+    expected.y.push_back(total * (normal_cdf(bins.edges[i + 1]) - normal_cdf(bins.edges[i])));
   }
+  expected.y.push_back(expected.y.back());  // where the last step ends
   chart.series.push_back(
       {.name = name, .mark = Mark::bars, .style = 0, .x = bins.edges, .y = bins.counts});
-  chart.series.push_back(std::move(density));
+  chart.series.push_back(std::move(expected));
   return chart;
 }
 

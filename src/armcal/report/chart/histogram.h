@@ -23,8 +23,8 @@ struct HistogramBins {
 [[nodiscard]] HistogramBins histogram_bins(std::span<const double> values);
 
 /// Adds to a chart that has its words the bins of standardised residuals (divided by the
-/// uncertainty stated for them) and, as a line, what a normal distribution of standard deviation 1
-/// would put into the same bins.
+/// uncertainty stated for them) and, as steps, how many a normal distribution of standard deviation
+/// 1 would put into each.
 [[nodiscard]] Chart with_histogram(Chart chart, const std::string& name,
                                    const std::string& density_name, const HistogramBins& bins);
 

@@ -64,7 +64,7 @@ std::string hatch(const std::string& id) { return fmt::format("url(#{})", id); }
 
 void draw_hatch(SvgDrawing& drawing, const std::string& id, double x1, double x2, double y) {
   drawing.rectangle(std::min(x1, x2), y, std::abs(x2 - x1), kTrack,
-                    fmt::format("class=\"undecided\" fill=\"{}\"", hatch(id)));
+                    fmt::format("class=\"guarded\" fill=\"{}\"", hatch(id)));
 }
 
 std::string pattern(const std::string& id) {
@@ -142,10 +142,10 @@ class LimitPicture {
         [](SvgDrawing& drawing, double x, double y) {
           drawing.rectangle(x - 11.0, y - 5.5, 22.0, 11.0, pass_attributes());
         });
-    add(any([](const LimitBarRow& row) { return row.mpe > 0.0 && row.guard != 0.0; }),
-        bars_.undecided, [id = hatch_of(bars_)](SvgDrawing& drawing, double x, double y) {
+    add(any([](const LimitBarRow& row) { return row.mpe > 0.0 && row.guard > 0.0; }), bars_.guarded,
+        [id = hatch_of(bars_)](SvgDrawing& drawing, double x, double y) {
           drawing.rectangle(x - 11.0, y - 5.5, 22.0, 11.0,
-                            fmt::format("class=\"undecided\" fill=\"{}\"", hatch(id)));
+                            fmt::format("class=\"guarded\" fill=\"{}\"", hatch(id)));
         });
     return entries;
   }
@@ -173,8 +173,9 @@ class LimitPicture {
     }
     const double room = right - kBarMargin - value_width - 14.0;
     drawing.text(kBarMargin, top + 15.0, row.name, {.is_bold = true, .most_width = room});
-    drawing.text(kBarMargin, top + 31.0, row.symbol,
-                 {.style = "tick", .size = 12.0, .most_width = has_both ? room : right - kBarMargin});
+    drawing.text(
+        kBarMargin, top + 31.0, row.symbol,
+        {.style = "tick", .size = 12.0, .most_width = has_both ? room : right - kBarMargin});
     if (row.mpe > 0.0) draw_track(drawing, row, top + (has_both ? kExtraLine : 0.0) + 43.0);
   }
 

@@ -38,7 +38,7 @@ struct LimitBars {
   std::string text;
   std::string nothing;
   // Words of the legend; those of what is not drawn are not shown.
-  std::string as_found, as_left, uncertainty, passes, undecided;
+  std::string as_found, as_left, uncertainty, passes, guarded;
   std::vector<LimitBarRow> rows;
 };
 

@@ -22,7 +22,7 @@ LimitBars bars_of(std::vector<LimitBarRow> rows) {
           .as_left = "as left",
           .uncertainty = "U",
           .passes = "passes",
-          .undecided = "undecided",
+          .guarded = "guard",
           .rows = std::move(rows)};
 }
 
@@ -75,7 +75,7 @@ TEST(LimitBarsDrawings, OnlyWhatIsDrawnIsInTheLegend) {
   EXPECT_TRUE(svg.says("as left"));
   EXPECT_FALSE(svg.says("as found"));
   EXPECT_FALSE(svg.says("U"));
-  EXPECT_FALSE(svg.says("undecided"));
+  EXPECT_FALSE(svg.says("guard"));
 }
 
 TEST(LimitBarsDrawings, DegenerateRowsAreDrawn) {

@@ -42,13 +42,7 @@ std::string hover_title(std::string_view text) {
 
 }  // namespace
 
-std::string coordinate(double value) {
-  if (!std::isfinite(value)) return "0";
-  std::string text = fmt::format("{:.2f}", value);
-  while (text.back() == '0') text.pop_back();
-  if (text.back() == '.') text.pop_back();
-  return text == "-0" ? "0" : text;
-}
+std::string coordinate(double value) { return trimmed(std::isfinite(value) ? value : 0.0, 2); }
 
 std::string point(double x, double y) {
   const auto short_text = [](double value) {
@@ -63,15 +57,17 @@ double text_width(std::string_view text, double size) {
 
 std::string shortened(std::string_view text, double width, double size) {
   if (text_width(text, size) <= width) return std::string(text);
-  std::string kept(text);
-  while (!kept.empty() && text_width(kept, size) + size > width) {
+  std::size_t kept = 0;
+  double used = size;  // of the ellipsis
+  while (kept < text.size()) {
     // Whole characters: bytes 10xxxxxx continue one.
-    while (!kept.empty() && (static_cast<unsigned char>(kept.back()) & 0xC0u) == 0x80u) {
-      kept.pop_back();
-    }
-    if (!kept.empty()) kept.pop_back();
+    std::size_t next = kept + 1;
+    while (next < text.size() && (static_cast<unsigned char>(text[next]) & 0xC0u) == 0x80u) ++next;
+    used += text_width(text.substr(kept, next - kept), size);
+    if (used > width) break;
+    kept = next;
   }
-  return kept + "\u2026";
+  return std::string(text.substr(0, kept)) + "\u2026";
 }
 
 void SvgDrawing::text(double x, double y, std::string_view text, const TextLook& look) {

@@ -248,8 +248,7 @@ Section residuals_section(const DocumentView& document, const std::vector<Residu
 }
 
 Section parameters_section(const DocumentView& document, const Language& say) {
-  const std::string condition =
-      fmt::format("{:.3g}", document.number_if("condition_number").value_or(0.0));
+  const std::string condition = condition_text(document.number_if("condition_number"));
   return {"parameters",
           say("parameters.title"),
           say("parameters.lead", whole(document.number("rank")), whole(document.number("unknowns")),

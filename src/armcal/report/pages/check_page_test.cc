@@ -72,7 +72,15 @@ TEST(CheckPage, NamesBrokenRulesInTheLanguageOfTheReader) {
       words_of(check_page_of_example(check_example(kRising))),
       HasSubstr("5 | 2026-02-02 | 1 check more than 3 σ above the centre line (rule 1) | "));
   EXPECT_THAT(words_of(check_page_of_example(check_example(kRising), "zh")),
-              HasSubstr("5 | 2026-02-02 | 1 次核查超出中心线上方 3 σ（准则 1） | "));
+              HasSubstr("5 | 2026-02-02 | 1 次核查值位于中心线上方 3 σ 以外（准则 1） | "));
+}
+
+// Of a signed value near -limit the chart had no limit, and the text said that it lay beyond.
+TEST(CheckPage, DrawsTheLimitThatIsNear) {
+  const Page page = check_page_of_example(check_example({-0.045, -0.044, -0.046, -0.045, -0.060}));
+  const Figure& figure = std::get<Figures>(section_of(page, "trend-of-1").blocks.at(0)).items.at(0);
+  EXPECT_THAT(figure.text, Not(HasSubstr("lies beyond this chart")));
+  EXPECT_THAT(figure.svg, HasSubstr(">limit<"));
 }
 
 TEST(CheckPage, SaysTheDriftWithItsUncertainty) {

@@ -13,6 +13,7 @@
 #include "armcal/report/chart/chart.h"
 #include "armcal/report/pages/verdict_words.h"
 #include "armcal/report/shown_number.h"
+#include "armcal/report/trend_chart.h"
 
 namespace armcal {
 namespace {
@@ -21,7 +22,6 @@ constexpr int kUsualStyle = 0;  // and of the line through the checks
 constexpr int kBrokenStyle = 1;
 constexpr int kBandStyle = 2;
 constexpr double kSeconds_per_day = 86400.0;
-constexpr double kNear_sigma = 12.0;  // a limit beyond it is left out
 
 TrendDrift drift_of(const DocumentView& drift) {
   return {.mm_per_day = drift.number("mm_per_day"),
@@ -82,9 +82,19 @@ void add_drift(const TrendHistory& trend, const Language& say, Chart& chart) {
   }
 }
 
-bool is_near(const TrendHistory& trend) {
-  if (!trend.centre_mm || !trend.sigma_mm) return true;
-  return std::abs(*trend.limit_mm - *trend.centre_mm) < kNear_sigma * *trend.sigma_mm;
+// Limits of the check that are drawn with it.
+std::vector<double> limits_on_chart(const TrendHistory& trend) {
+  if (!trend.limit_mm) return {};
+  std::optional<ControlLimits> control;
+  if (trend.centre_mm && trend.sigma_mm) control = {*trend.centre_mm, *trend.sigma_mm};
+  std::vector<double> values_mm;
+  for (const TrendCheck& each : trend.checks) values_mm.push_back(each.value_mm);
+  std::vector<double> near;
+  for (const double limit_mm : {*trend.limit_mm, -*trend.limit_mm}) {
+    if (limit_mm < 0.0 && !trend.is_signed) continue;
+    if (is_on_chart(limit_mm, values_mm, control)) near.push_back(limit_mm);
+  }
+  return near;
 }
 
 void add_lines(const TrendHistory& trend, const Language& say, Chart& chart) {
@@ -98,10 +108,9 @@ void add_lines(const TrendHistory& trend, const Language& say, Chart& chart) {
           {false, *trend.centre_mm - band, say("check.minus_3_sigma"), Tone::warning});
     }
   }
-  if (!trend.limit_mm || !is_near(trend)) return;
-  chart.lines.push_back({false, *trend.limit_mm, say("check.limit"), Tone::bad});
-  if (trend.is_signed)
-    chart.lines.push_back({false, -*trend.limit_mm, say("check.limit"), Tone::bad});
+  for (const double limit_mm : limits_on_chart(trend)) {
+    chart.lines.push_back({false, limit_mm, say("check.limit"), Tone::bad});
+  }
 }
 
 std::string text_of(const TrendHistory& trend, const Language& say) {
@@ -112,7 +121,7 @@ std::string text_of(const TrendHistory& trend, const Language& say) {
   } else {
     sentences.push_back(say("check.no_centre_text", trend.baseline, trend.checks.size()));
   }
-  if (trend.limit_mm && !is_near(trend)) {
+  if (trend.limit_mm && limits_on_chart(trend).empty()) {
     sentences.push_back(say("check.far_limit_text", mm_text(trend.limit_mm)));
   }
   return run_on(sentences, say);

@@ -12,13 +12,7 @@
 namespace armcal {
 namespace {
 
-constexpr double kNotable = 3.0;      // times its standard uncertainty
 constexpr int kDecimalsWithoutU = 6;  // of what neither calibration estimated
-
-bool has_changed(const DocumentView& change) {
-  return !change.flag("held_in_one") &&
-         std::abs(change.number_if("ratio").value_or(0.0)) > kNotable;
-}
 
 // Neither estimated nor moved.
 bool is_idle(const DocumentView& change) {
@@ -27,7 +21,7 @@ bool is_idle(const DocumentView& change) {
 
 Cell diff_remark(const DocumentView& change, const Language& say) {
   if (change.flag("held_in_one")) return {say("diff.held_in_one")};
-  if (has_changed(change)) return {say("diff.changed"), Tone::warning};
+  if (change.flag("changed")) return {say("diff.changed"), Tone::warning};
   return {""};
 }
 
@@ -64,7 +58,7 @@ Table changes_table(const DocumentView& document, const Language& say) {
 // In units of u, so that all stand on one axis; the interval is that of 95 %.
 Figure ratios_of(const DocumentView& document, const Language& say) {
   IntervalChart chart;
-  chart.id = "changes";
+  chart.id = "changes-over-u";
   chart.title = say("diff.figure");
   chart.text = say("diff.figure_text");
   chart.nothing = say("figures.no_parameters");
@@ -85,7 +79,9 @@ Figure ratios_of(const DocumentView& document, const Language& say) {
 
 Page diff_page(const DocumentView& document, const Language& say) {
   const std::vector<DocumentView> changes = document.list("changes");
-  const auto changed = std::count_if(changes.begin(), changes.end(), has_changed);
+  const auto changed =
+      std::count_if(changes.begin(), changes.end(),
+                    [](const DocumentView& change) { return change.flag("changed"); });
   Page page;
   page.title = say("diff.title");
   page.stamp = changed == 0 ? Stamp{say("diff.same"), say("diff.same_sentence"), Tone::good}

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "armcal/testing/page_laws.h"
@@ -27,7 +28,8 @@ Json change(const std::string& name, const std::string& unit, double before, dou
           {"change", after - before},
           {"u", u},
           {"ratio", u > 0.0 ? Json((after - before) / u) : Json()},
-          {"held_in_one", held_in_one}};
+          {"held_in_one", held_in_one},
+          {"changed", !held_in_one && std::abs(after - before) > 3.0 * u}};
 }
 
 Json document_with_changes(const Json& changes) {
@@ -54,6 +56,16 @@ TEST(DiffPage, CountsWhatChangedByMoreThanThreeTimesItsUncertainty) {
   EXPECT_EQ(page.stamp.tone, Tone::warning);
   EXPECT_THAT(page.stamp.sentence, HasSubstr(": 1."));
   EXPECT_THAT(words_of(page), HasSubstr("held in one of them"));
+}
+
+// Where neither calibration estimated a parameter its ratio is infinite, null in the document: the
+// page said "no notable change".
+TEST(DiffPage, SaysThatSomethingChangedThatNeitherEstimated) {
+  const Page page =
+      page_in("en", document_with_changes(Json::array({change("b3", "mm", 450.0, 380.0, 0.0)})));
+  EXPECT_EQ(page.stamp.tone, Tone::warning);
+  EXPECT_THAT(words_of(page), HasSubstr("b3 | 450.000000 | 380.000000 | -70.000000"));
+  EXPECT_THAT(words_of(page), HasSubstr("changed"));
 }
 
 TEST(DiffPage, LeavesOutWhatNeitherEstimatedNorMoved) {

@@ -14,15 +14,15 @@ namespace {
 
 Headlines half_turn_headlines(const DocumentView& document, const Language& say) {
   const auto readings = document.list("readings");
-  return {{{say("half_turn_plan.readings"), whole(static_cast<double>(readings.size())), "",
-            say("half_turn_plan.readings_note", whole(document.number("candidates")))},
-           {say("half_turn_plan.length_error"), fixed(1e3 * document.number("length_error_mm"), 2),
-            "\u00b5m", say("half_turn_plan.length_error_note")},
-           {say("half_turn_plan.parameters"), whole(document.number("rank")), "",
-            say("symmetric.condition_note",
-                fmt::format("{:.3g}", document.number("condition_number")))},
-           {say("half_turn_plan.redundancy"), fixed(document.number("least_redundancy"), 2), "",
-            say("half_turn_plan.redundancy_note")}}};
+  return {
+      {{say("half_turn_plan.readings"), whole(static_cast<double>(readings.size())), "",
+        say("half_turn_plan.readings_note", whole(document.number("candidates")))},
+       {say("half_turn_plan.length_error"), fixed(1e3 * document.number("length_error_mm"), 2),
+        "\u00b5m", say("half_turn_plan.length_error_note")},
+       {say("half_turn_plan.parameters"), whole(document.number("rank")), "",
+        say("symmetric.condition_note", condition_text(document.number_if("condition_number")))},
+       {say("half_turn_plan.redundancy"), fixed(document.number("least_redundancy"), 2), "",
+        say("half_turn_plan.redundancy_note")}}};
 }
 
 Table half_turn_parameters(const DocumentView& document, const Language& say) {

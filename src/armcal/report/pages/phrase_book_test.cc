@@ -20,7 +20,7 @@ TEST(PhraseBook, FindsPhrasesAgainWithTheirNamesAndNumbers) {
   EXPECT_EQ(in_chinese("1 point in fit 2, 9 are asked for"), "拟合 2 有 1 个点，要求 9 个");
   EXPECT_EQ(in_chinese("500 mm at P2, repeat 1"), "500 mm，位置 P2，第 1 次");
   EXPECT_EQ(in_chinese("single-point articulation, far zone, seat 3: 2 s"),
-            "单点关节转动，远区，锥座 3：2 s");
+            "单点铰接，远区，锥窝 3：2 s");
 }
 
 // Of the patterns that match, the one with the most words of its own counts.

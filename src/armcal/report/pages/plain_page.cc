@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t kShownRows = 20;
 constexpr std::size_t kMostRows = 2000;
 
-// Keys that stand at the end of every report, and those that are files of their own.
+// Keys that stand at the end of every report.
 const std::set<std::string> kElsewhere = {"schema", "tool_version", "command", "command_line",
                                           "inputs", "seed",         "warnings"};
 
@@ -36,8 +36,8 @@ std::string short_text(const Json& value) {
   if (is_scalar(value)) return scalar_text(value);
   if (value.is_array() && std::all_of(value.begin(), value.end(), is_scalar)) {
     std::string text;
-    for (const Json& each : value) {
-      text += fmt::format("{}{}", text.empty() ? "" : ", ", scalar_text(each));
+    for (std::size_t i = 0; i < value.size(); ++i) {
+      text += fmt::format("{}{}", i == 0 ? "" : ", ", scalar_text(value[i]));
     }
     return text;
   }

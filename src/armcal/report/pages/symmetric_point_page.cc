@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "armcal/report/chart/heat_map.h"
 #include "armcal/report/number_format.h"
@@ -16,8 +17,6 @@
 
 namespace armcal {
 namespace {
-
-constexpr double kUnchecked = 1e-6;  // redundancy below it: an error goes whole into the result
 
 // A number whose key says its unit: residual_mm or residual_deg.
 std::optional<double> amount_if(const DocumentView& entry, const std::string& key) {
@@ -35,14 +34,17 @@ int decimals_of(const DocumentView& reading) {
   return decimals_for_uncertainty(reading.number("u"));
 }
 
+bool is_checked(const DocumentView& reading) { return reading.has("normalised"); }
+
 bool is_flagged(const DocumentView& reading) {
   return reading.has("flagged") && reading.flag("flagged");
 }
 
-std::string joined(const std::vector<std::string>& names, const Language& say) {
+std::string joined(const std::vector<std::string>& names, const Language& say,
+                   const char* separator = "calibration.name_separator") {
   std::string text;
   for (const std::string& name : names) {
-    text += fmt::format("{}{}", text.empty() ? "" : say("calibration.name_separator"), name);
+    text += fmt::format("{}{}", text.empty() ? "" : say(separator), name);
   }
   return text;
 }
@@ -54,22 +56,42 @@ Stamp symmetric_stamp(const DocumentView& document, const Language& say) {
   return {say("symmetric.contradicted"), say("symmetric.contradicted_sentence"), Tone::bad};
 }
 
+// Readings that fail, each with those that it cannot be told apart from.
+std::vector<std::vector<DocumentView>> failing_groups(const DocumentView& document) {
+  const std::vector<DocumentView> readings = document.list("readings");
+  std::set<std::string> told;
+  std::vector<std::vector<DocumentView>> groups;
+  for (const DocumentView& reading : readings) {
+    if (!is_flagged(reading) || told.contains(reading.text("name"))) continue;
+    std::vector<std::string> names = reading.texts("inseparable_from");
+    names.push_back(reading.text("name"));
+    std::vector<DocumentView> group;
+    for (const DocumentView& each : readings) {
+      if (std::find(names.begin(), names.end(), each.text("name")) == names.end()) continue;
+      told.insert(each.text("name"));
+      group.push_back(each);
+    }
+    groups.push_back(std::move(group));
+  }
+  return groups;
+}
+
 Headlines symmetric_headlines(const DocumentView& document, const Language& say) {
   const auto readings = document.list("readings");
-  const auto flagged = std::count_if(readings.begin(), readings.end(), is_flagged);
+  const auto checked = std::count_if(readings.begin(), readings.end(), is_checked);
+  const std::size_t failing = failing_groups(document).size();
   const auto claims = document.list("claims");
   const auto wrong = std::count_if(claims.begin(), claims.end(),
                                    [](const DocumentView& claim) { return !claim.flag("agrees"); });
   Headlines headlines;
   headlines.items = {
       {say("symmetric.readings"), whole(static_cast<double>(readings.size())), "",
-       say("symmetric.dof_note", whole(document.number("dof"))), Tone::neutral},
+       say("symmetric.checked_note", checked, whole(document.number("dof"))), Tone::neutral},
       {say("symmetric.parameters"), whole(document.number("rank")), "",
-       say("symmetric.condition_note",
-           fmt::format("{:.3g}", document.number_if("condition_number").value_or(0.0))),
+       say("symmetric.condition_note", condition_text(document.number_if("condition_number"))),
        Tone::neutral},
-      {say("symmetric.flagged"), fmt::format("{}", flagged), "", say("symmetric.flagged_note"),
-       flagged > 0 ? Tone::bad : Tone::neutral}};
+      {say("symmetric.flagged"), fmt::format("{}", failing), "", say("symmetric.flagged_note"),
+       failing > 0 ? Tone::bad : Tone::neutral}};
   if (!claims.empty()) {
     headlines.items.push_back({say("symmetric.claims_wrong"), fmt::format("{}", wrong), "",
                                say("symmetric.claims_note", claims.size()),
@@ -93,12 +115,45 @@ std::string said_length(const std::string& name, const Language& say) {
   return name;
 }
 
-// What a reader has to know, one sentence each.
-std::vector<std::string> findings_of(const DocumentView& document, const Language& say) {
-  std::vector<std::string> found;
-  if (document.has("chain_problem")) {
-    found.push_back(say("symmetric.chain_breaks", document.text("chain_problem")));
+// How far an arm that was held against the readings misses them.
+void add_compared_arm(const DocumentView& document, const Language& say,
+                      std::vector<std::string>& found) {
+  if (!document.has("compared_arm")) return;
+  double worst = 0.0;
+  std::string at;
+  for (const DocumentView& reading : document.list("readings")) {
+    const auto other = reading.number_if("by_compared_arm");
+    if (!other || reading.text("unit") != "mm") continue;
+    const double miss = std::abs(*other - reading.number("value"));
+    if (miss <= worst) continue;
+    worst = miss;
+    at = reading.text("name");
   }
+  found.push_back(
+      say("symmetric.compared_misses", document.text("compared_arm"), fixed(worst, 3), at));
+}
+
+void add_signs(const DocumentView& document, const Language& say, std::vector<std::string>& found) {
+  const std::vector<DocumentView> signs = document.list("signs");
+  if (signs.size() < 2) return;
+  const auto good = static_cast<std::size_t>(
+      document.ordinal("equally_good_signs", static_cast<int>(signs.size())));
+  std::vector<std::string> best;
+  for (std::size_t i = 0; i < good; ++i) {
+    const std::vector<std::string> turned = signs[i].texts("turned");
+    best.push_back(turned.empty() ? say("symmetric.signs_as_drawn")
+                                  : say("symmetric.signs_turned", joined(turned, say)));
+  }
+  std::string sentence = say(good == 1 ? "symmetric.signs_one" : "symmetric.signs_several",
+                             signs.size(), good, joined(best, say, "symmetric.signs_separator"));
+  const double misfit = signs[0].number_if("misfit").value_or(0.0);
+  const auto next = good < signs.size() ? signs[good].number_if("misfit") : std::nullopt;
+  if (next && misfit > 0.0) sentence += say("symmetric.signs_next", fixed(*next / misfit, 0));
+  found.push_back(std::move(sentence));
+}
+
+void add_claims(const DocumentView& document, const Language& say,
+                std::vector<std::string>& found) {
   for (const DocumentView& claim : document.list("claims")) {
     if (claim.flag("agrees")) continue;
     const std::string claimed = fixed(claim.number("claimed"), 3);
@@ -115,14 +170,46 @@ std::vector<std::string> findings_of(const DocumentView& document, const Languag
     for (const std::string& same : claim.texts("equals")) equals.push_back(said_length(same, say));
     if (!equals.empty()) found.back() += say("symmetric.claim_equals", joined(equals, say));
   }
+}
+
+void add_failures(const DocumentView& document, const Language& say,
+                  std::vector<std::string>& found) {
+  const std::string limit = fixed(document.number("critical_value"), 2);
+  for (const std::vector<DocumentView>& group : failing_groups(document)) {
+    std::vector<std::string> names;
+    std::vector<std::string> changes;
+    for (const DocumentView& reading : group) {
+      names.push_back(reading.text("name"));
+      changes.push_back(say("symmetric.would_change", names.back(),
+                            text_if(amount_if(reading, "estimated_error"), 3),
+                            reading.text("unit")));
+    }
+    const DocumentView& first = group.front();
+    const std::string normalised = fixed(std::abs(first.number("normalised")), 1);
+    if (group.size() > 1) {
+      found.push_back(say("symmetric.group_fails", joined(names, say), normalised, limit,
+                          joined(changes, say)));
+    } else {
+      found.push_back(say("symmetric.reading_fails", names.front(),
+                          text_if(amount_if(first, "estimated_error"), 3), first.text("unit"),
+                          normalised, limit));
+    }
+  }
+}
+
+// What a reader has to know, one sentence each: as `findings` of the text report, in any language.
+std::vector<std::string> findings_of(const DocumentView& document, const Language& say) {
+  std::vector<std::string> found;
+  add_compared_arm(document, say, found);
+  add_signs(document, say, found);
+  if (document.has("chain_problem")) {
+    found.push_back(say("symmetric.chain_breaks", document.text("chain_problem")));
+  }
+  add_claims(document, say, found);
+  add_failures(document, say, found);
   std::vector<std::string> unchecked;
   for (const DocumentView& reading : document.list("readings")) {
-    if (is_flagged(reading)) {
-      found.push_back(say("symmetric.reading_fails", reading.text("name"),
-                          text_if(amount_if(reading, "estimated_error"), 4), reading.text("unit"),
-                          fixed(reading.number("normalised"), 1)));
-    }
-    if (reading.number_if("redundancy").value_or(1.0) < kUnchecked) {
+    if (reading.has("redundancy") && !is_checked(reading)) {
       unchecked.push_back(reading.text("name"));
     }
   }
@@ -166,7 +253,7 @@ Table symmetric_parameters(const DocumentView& document, const Language& say) {
 }
 
 Cell check_cell(const DocumentView& reading, const Language& say) {
-  if (!reading.number_if("normalised")) return {say("symmetric.not_checked"), Tone::neutral};
+  if (!is_checked(reading)) return {say("symmetric.not_checked"), Tone::neutral};
   return is_flagged(reading) ? Cell{say("symmetric.fails"), Tone::bad}
                              : Cell{say("symmetric.holds"), Tone::good};
 }
@@ -207,6 +294,14 @@ Table readings_of(const DocumentView& document, const Language& say) {
   return table;
 }
 
+// What the reading would have to be, with its unit where the claim has another.
+std::string mended_text(const DocumentView& claim) {
+  const std::string text = text_if(amount_if(claim, "reconciled_by"), 3);
+  const bool is_angle = claim.has("reconciled_by_deg");
+  if (is_angle == (claim.text("unit") == "deg") || !amount_if(claim, "reconciled_by")) return text;
+  return fmt::format("{} {}", text, is_angle ? "deg" : "mm");
+}
+
 std::optional<Table> claims_of(const DocumentView& document, const Language& say) {
   const auto claims = document.list("claims");
   if (claims.empty()) return std::nullopt;
@@ -232,7 +327,7 @@ std::optional<Table> claims_of(const DocumentView& document, const Language& say
                           {claim.text("unit")},
                           {say(verdict), agrees ? Tone::good : Tone::bad},
                           {claim.text_if("contradicted_by").value_or("\u2013")},
-                          {text_if(amount_if(claim, "reconciled_by"), 3)}});
+                          {mended_text(claim)}});
   }
   return table;
 }
@@ -266,7 +361,7 @@ std::optional<Figure> leakage_of(const DocumentView& document, const Language& s
     }
   }
   HeatMap map;
-  map.id = "leakage";
+  map.id = "leakage-map";
   map.title = say("symmetric.leakage");
   map.text = say(document.text("leakage_of") == "chain" ? "symmetric.leakage_of_chain"
                                                         : "symmetric.leakage_of_adjustment");

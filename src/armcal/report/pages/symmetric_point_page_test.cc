@@ -49,6 +49,24 @@ TEST(SymmetricPointPage, SaysTheFindingOfThePaper) {
   }
 }
 
+// Each of three readings that share one check was called wrong by itself.
+TEST(SymmetricPointPage, AccusesNoReadingThatCannotBeToldFromOthers) {
+  const Page page = page_in("en", document_with_readings(104.700, 178.483, false));
+  const auto& headlines = std::get<Headlines>(page.sections.at(0).blocks.at(0)).items;
+  EXPECT_EQ(headlines.at(0).note, "3 of them are checked by others; degrees of freedom: 1");
+  EXPECT_EQ(headlines.at(2).value, "1");
+  const std::string words = words_of(page);
+  EXPECT_THAT(words, HasSubstr("The one check that l_PP1, l_PP2, R give each other fails"));
+  EXPECT_THAT(words, HasSubstr("these readings cannot tell which"));
+  EXPECT_THAT(words, Not(HasSubstr("does not agree with the other readings")));
+}
+
+TEST(SymmetricPointPage, WritesADashWhereNoConditionNumberIsFinite) {
+  Json document = as_printed();
+  document["condition_number"] = nullptr;
+  EXPECT_THAT(words_of(page_in("en", document)), HasSubstr("condition number \u2013"));
+}
+
 TEST(SymmetricPointPage, MarksClaimsByTheirVerdicts) {
   const Json document = as_printed();
   const Page page = page_in("en", document);

@@ -175,8 +175,8 @@ Figure limit_figure(const std::vector<VerifiedRow>& rows, const std::string& rul
   bars.as_left = say(has_both ? "verification.as_left" : "verification.value");
   bars.uncertainty = say("verification.reach_of_u");
   bars.passes = say("verification.passes_here");
-  bars.undecided = say("verification.undecided_here");
   const bool has_middle = rule == "iso14253-1" || rule == "conformance-probability";
+  bars.guarded = say(has_middle ? "verification.undecided_here" : "verification.fails_here");
   for (const VerifiedRow& row : rows) bars.rows.push_back(bar_of(row, has_middle, has_both, say));
   return figure_of(bars);
 }

@@ -102,6 +102,14 @@ TEST(VerificationPage, SaysTheDecisionRuleWithItsCoverageFactor) {
   Verification guarded = verification_example(kGood);
   guarded.rule = {.kind = DecisionKind::guard_band, .guard_factor = 0.5};
   guarded.coverage_factor = 3.0;
+  // Inside the guard band results fail; nothing is left open.
+  const Section judged = section_of(verification_page_of_example(guarded), "judgement");
+  for (const Block& block : judged.blocks) {
+    if (const auto* figures = std::get_if<Figures>(&block)) {
+      EXPECT_THAT(figures->items.at(0).svg, HasSubstr("guard band: fails"));
+      EXPECT_THAT(figures->items.at(0).svg, Not(HasSubstr("neither proven")));
+    }
+  }
   EXPECT_THAT(section_of(verification_page_of_example(guarded), "judgement").lead,
               HasSubstr("passes inside the limit by 0.5 U (k = 3), else fails"));
 }
