@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <variant>
 #include <vector>
 
@@ -125,9 +126,34 @@ Section section_of(const Page& page, const std::string& id) {
   return {};
 }
 
+namespace {
+
+// Sections and figures are found by their ids.
+void expect_ids_of_their_own(const Page& page) {
+  std::set<std::string> ids;
+  const auto expect_new = [&](const std::string& id) {
+    EXPECT_FALSE(id.empty());
+    EXPECT_EQ(id.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-"), std::string::npos)
+        << id;
+    EXPECT_TRUE(ids.insert(id).second) << id << " twice";
+  };
+  for (const Section& section : page.sections) {
+    expect_new(section.id);
+    for (const Block& block : section.blocks) {
+      if (const auto* figures = std::get_if<Figures>(&block)) {
+        for (const Figure& figure : figures->items) expect_new(figure.id);
+      }
+    }
+  }
+}
+
+}  // namespace
+
 void expect_page_laws(const Json& document) {
   for (const char* language : {"en", "zh"}) {
-    EXPECT_FALSE(page_in(language, document).sections.empty());
+    const Page page = page_in(language, document);
+    EXPECT_FALSE(page.sections.empty());
+    expect_ids_of_their_own(page);
   }
   std::vector<Json::json_pointer> paths;
   add_paths(document, Json::json_pointer(), paths);

@@ -21,9 +21,10 @@ namespace armcal::testing {
 /// The section of an id; a test failure and an empty one where there is none.
 [[nodiscard]] Section section_of(const Page& page, const std::string& id);
 
-/// What holds for the page of any document, however it was edited by hand: each key in its turn is
-/// taken away, is of another type, a huge number or a hostile text. There is a page in which that
-/// text is text, or an InputError that names the key. Of lists the first entries are tried.
+/// What holds for the page of any document: ids are unique; and however it was edited by hand: each
+/// key in its turn is taken away, is of another type, a huge number or a hostile text. There is a
+/// page in which that text is text, or an InputError that names the key. Of lists the first entries
+/// are tried.
 void expect_page_laws(const Json& document);
 
 }  // namespace armcal::testing

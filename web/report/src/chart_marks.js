@@ -85,40 +85,22 @@ export function drawSeries(u, series) {
   });
 }
 
-// Limits and means, with their words over the data.
-export function drawLines(u, lines, font) {
+// Limits and means.
+export function drawLines(u, lines) {
   inPlot(u, (ctx, scale) => {
     const { left, top, width, height } = u.bbox;
     for (const line of lines) {
       const place = at(u, line.vertical ? "x" : "y", line.at);
       if (Number.isNaN(place)) continue;
-      ctx.strokeStyle = ctx.fillStyle = colour(TONES[line.tone] ?? "--ink");
+      ctx.strokeStyle = lineColour(line);
       ctx.lineWidth = 1.6 * scale;
       ctx.setLineDash((line.tone === "neutral" ? [2, 3] : [6, 3]).map((length) => length * scale));
       ctx.beginPath();
       ctx.moveTo(line.vertical ? place : left, line.vertical ? top : place);
       ctx.lineTo(line.vertical ? place : left + width, line.vertical ? top + height : place);
       ctx.stroke();
-      writeLabel(ctx, scale, font, line, place, u.bbox);
     }
   });
 }
 
-function writeLabel(ctx, scale, font, line, place, { left, top, width }) {
-  if (!line.label) return;
-  ctx.font = font(12 * scale);
-  ctx.setLineDash([]);
-  ctx.textAlign = "left";
-  ctx.textBaseline = "alphabetic";
-  const room = ctx.measureText(line.label).width;
-  const fitsRight = place + room + 8 * scale < left + width;
-  const x = line.vertical ? (fitsRight ? place + 5 * scale : place - room - 5 * scale) : left + width - room - 5 * scale;
-  const y = line.vertical ? top + 13 * scale : place - 5 * scale < top + 10 * scale ? place + 13 * scale : place - 5 * scale;
-  const ink = ctx.fillStyle;
-  ctx.lineJoin = "round";
-  ctx.lineWidth = 4 * scale;
-  ctx.strokeStyle = colour("--paper");
-  ctx.strokeText(line.label, x, y);
-  ctx.fillStyle = ink;
-  ctx.fillText(line.label, x, y);
-}
+export const lineColour = ({ tone }) => colour(TONES[tone] ?? "--ink");

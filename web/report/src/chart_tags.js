@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Short texts beside dots: each where it covers the fewest dots and other texts.
 import { at, inPlot } from "./chart_marks.js";
+import { dotBoxes, quietest } from "./places.js";
 import { colour } from "./theme.js";
 
 const SIZE = 12;
@@ -13,13 +14,12 @@ export function drawTags(u, series, font) {
     ctx.textAlign = "left";
     ctx.textBaseline = "middle";
     ctx.lineJoin = "round";
-    const dots = series.flatMap(({ x, y }) => x.map((value, i) => [at(u, "x", value), at(u, "y", y[i])]));
-    const taken = dots.map(([x, y]) => ({ left: x - GAP * scale, right: x + GAP * scale, top: y - GAP * scale, bottom: y + GAP * scale }));
+    const taken = dotBoxes(u, series, GAP * scale);
     for (const { x, y, tags } of series) {
       tags?.forEach((tag, i) => {
         const boxes = boxesAbout(at(u, "x", x[i]), at(u, "y", y[i]), ctx.measureText(tag).width, scale);
-        const box = quietest(boxes.filter((each) => isInside(each, u.bbox)), taken) ?? boxes[0];
-        if (Number.isNaN(box.left)) return;
+        const box = quietest(boxes, taken, u.bbox);
+        if (!box) return; // its dot is not in view
         taken.push(box);
         ctx.lineWidth = 4 * scale;
         ctx.strokeStyle = colour("--paper");
@@ -41,12 +41,4 @@ function boxesAbout(x, y, width, scale) {
     [x - width / 2, y + gap],
   ];
   return corners.map(([left, top]) => ({ left, top, right: left + width, bottom: top + height }));
-}
-
-const isInside = (box, { left, top, width, height }) => box.left >= left && box.right <= left + width && box.top >= top && box.bottom <= top + height;
-
-// The first of those that cover the least; undefined where there are none.
-function quietest(boxes, taken) {
-  const covers = (box) => taken.filter((other) => box.left < other.right && other.left < box.right && box.top < other.bottom && other.top < box.bottom).length;
-  return boxes.reduce((best, box) => (best && covers(best) <= covers(box) ? best : box), undefined);
 }

@@ -3,19 +3,20 @@
 // A chart to hover over and to zoom, by uPlot, from the same numbers as its drawing.
 import uPlot from "uplot";
 import { legendOf } from "./chart_legend.js";
+import { drawLabels } from "./chart_labels.js";
 import { drawLines, drawSeries } from "./chart_marks.js";
 import { drawTags } from "./chart_tags.js";
 import { describe, nearest, neighbour, pointsOf, tipOf } from "./chart_points.js";
 import { element } from "./element.js";
 import { livePlace } from "./figure.js";
-import { fixedText, logTicks, powerTexts } from "./number_text.js";
-import { equalRanges, fullRanges, zoomed } from "./ranges.js";
+import { equalRanges, fullRanges, withValue, zoomed } from "./ranges.js";
 import { colour, onThemeChange } from "./theme.js";
+import { ticksOf } from "./ticks.js";
 import { say } from "./words.js";
 
 const HEIGHT = 300;
 const WIDE_HEIGHT = 340;
-const WHOLE_STEPS = [1, 2, 5].flatMap((step) => [1, 10, 100, 1000, 10000].map((power) => step * power)).sort((a, b) => a - b); // of what is counted
+const PER_TICK = { x: 64, y: 36 }; // pixels
 const EQUAL_HEIGHTS = [260, 560];
 
 export function liveChart(figure, model) {
@@ -72,10 +73,9 @@ class LiveChart {
       grid: { stroke: () => colour("--grid"), width: 1 },
       ticks: { stroke: () => colour("--edge"), width: 1, size: 4 },
       gap: 5,
-      ...(model.series.every((series) => series[key].every(Number.isInteger)) ? { incrs: WHOLE_STEPS } : {}),
-      ...(model[key].scale === "log" ? { splits: (u, i, low, high) => logTicks(low, high) } : {}),
-      values: (u, splits, i, space, step) => (model[key].scale === "log" ? powerTexts(splits) : tickTexts(splits, step)),
-      ...(model[key].scale === "log" ? { filter: (u, splits) => splits } : {}),
+      splits: (u) => this.ticks(u, key).map(({ value }) => value),
+      values: (u) => this.ticks(u, key).map(({ text }) => text),
+      filter: (u, splits) => splits,
       ...more,
     });
     const scale = (key) => ({ time: false, distr: model[key].scale === "log" ? 3 : 1, range: () => this.ranges[key] });
@@ -86,8 +86,8 @@ class LiveChart {
       legend: { show: false },
       scales: { x: scale("x"), y: scale("y") },
       axes: [
-        axis("x", { label: model.x.label, labelFont: this.font(13), labelSize: 22, labelGap: 2, size: 26, space: 64 }),
-        axis("y", { size: (u, values) => this.widthOf(values), space: 36 }),
+        axis("x", { label: model.x.label, labelFont: this.font(13), labelSize: 22, labelGap: 2, size: 26 }),
+        axis("y", { size: (u, values) => this.widthOf(values) }),
       ],
       series: [
         null,
@@ -100,12 +100,26 @@ class LiveChart {
         })),
       ],
       cursor: { points: { show: false }, drag: { x: true, y: true, uni: 24, setScale: false }, bind: { dblclick: () => () => this.reset() }, dataIdx: () => null },
-      hooks: { ready: [() => this.reset()], draw: [(u) => drawLines(u, model.lines, (size) => this.font(size)), (u) => drawTags(u, model.series, (size) => this.font(size))], setSelect: [(u) => this.zoomTo(u.select)] },
+      hooks: { ready: [() => this.reset()], draw: [(u) => this.drawWords(u)], setSelect: [(u) => this.zoomTo(u.select)] },
     };
   }
 
   font(size) {
     return `${size}px ${this.family}`;
+  }
+
+  drawWords(u) {
+    const font = (size) => this.font(size);
+    drawLines(u, this.model.lines);
+    drawLabels(u, this.model, font);
+    drawTags(u, this.model.series, font);
+  }
+
+  ticks(u, key) {
+    const { model } = this;
+    const length = key === "x" ? u.over.clientWidth || u.width : u.over.clientHeight || u.height;
+    const isCounted = model.series.every((series) => series[key].every(Number.isInteger));
+    return ticksOf(model[key].scale, ...this.ranges[key], Math.max(2, Math.floor(length / PER_TICK[key])), isCounted ? 1 : 0);
   }
 
   widthOf(values) {
@@ -145,6 +159,13 @@ class LiveChart {
     this.show({ x: x.map((p) => u.posToVal(p, "x")), y: y.map((p) => u.posToVal(p, "y")).reverse() });
   }
 
+  // Moves the view so that a point is in it.
+  bringIntoView({ x, y }) {
+    const moved = { ...this.ranges };
+    for (const [key, value] of [["x", x], ["y", y]]) moved[key] = withValue(moved[key], value, this.model[key].scale === "log");
+    if (moved.x !== this.ranges.x || moved.y !== this.ranges.y) this.show(moved);
+  }
+
   // Rings a point and says what it is.
   point(point) {
     this.current = point;
@@ -177,7 +198,7 @@ class LiveChart {
       const size = this.size();
       if (size.width === u.width) return;
       u.setSize(size);
-      this.show(this.model.equal ? this.full : this.button.hidden ? this.full : this.ranges);
+      this.show(this.button.hidden ? this.full : this.ranges);
     }).observe(this.place);
   }
 
@@ -186,7 +207,9 @@ class LiveChart {
     const factors = { "+": 0.7, "-": 1 / 0.7 };
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     if (steps[event.key]) {
-      this.point(neighbour(this.points, this.current, ...steps[event.key]));
+      const next = neighbour(this.points, this.current, ...steps[event.key]);
+      if (next) this.bringIntoView(next);
+      this.point(next);
       if (this.current) this.spoken.textContent = describe(this.model, this.current).map(([, name, value]) => `${name} ${value}`).join(", ");
     } else if (factors[event.key]) {
       const { x, y } = this.ranges;
@@ -198,11 +221,4 @@ class LiveChart {
     }
     event.preventDefault();
   }
-}
-
-// With as many decimals as the step needs.
-function tickTexts(ticks, step) {
-  let decimals = 0;
-  while (decimals < 12 && Math.abs(step * 10 ** decimals - Math.round(step * 10 ** decimals)) > 1e-6) ++decimals;
-  return ticks.map((tick) => fixedText(tick, decimals));
 }

@@ -57,3 +57,14 @@ export function zoomed(range, factor, isLog) {
   const half = ((to(range[1]) - to(range[0])) / 2) * factor;
   return [from(middle - half), from(middle + half)];
 }
+
+// The same range where a value is in it, else one as long about the value.
+export function withValue(range, value, isLog) {
+  if (value >= range[0] && value <= range[1]) return range;
+  if (isLog) {
+    const half = Math.sqrt(range[1] / range[0]);
+    return [value / half, value * half];
+  }
+  const half = (range[1] - range[0]) / 2;
+  return [value - half, value + half];
+}

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: the armcal authors
 // SPDX-License-Identifier: Apache-2.0
 // The arm in space, to be turned by its joints: built from the model alone, drawn only when something has changed.
-import { AmbientLight, Color, DirectionalLight, HemisphereLight, MeshStandardMaterial, Scene, Vector3, WebGLRenderer } from "three";
+import { AmbientLight, Color, DirectionalLight, HemisphereLight, MeshStandardMaterial, Scene, Vector2, Vector3, WebGLRenderer } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { element } from "./element.js";
 import { livePlace } from "./figure.js";
@@ -27,6 +27,15 @@ function sharedRenderer() {
     renderer = hasGraphics ? new WebGLRenderer({ canvas, antialias: true, alpha: true }) : null;
   }
   return renderer;
+}
+
+// Frees what the graphics hold of an object and all in it.
+function dispose(object) {
+  object.traverse(({ geometry, material }) => {
+    geometry?.dispose();
+    material?.map?.dispose();
+    material?.dispose();
+  });
 }
 
 export function liveScene(figure, model) {
@@ -227,7 +236,10 @@ class LiveScene {
     for (const [name, ink] of Object.entries(INKS)) this.materials[name].color.set(colour(ink));
     const ink = new Color(colour("--muted"));
     const lines = new Color(colour("--grid"));
-    if (this.drawn) this.scene.remove(...this.drawn);
+    for (const object of this.drawn ?? []) {
+      this.scene.remove(object);
+      dispose(object);
+    }
     this.drawn = [groundOf(this.around, this.spacing, lines), axesOf(this.size * 0.16, `#${ink.getHexString()}`), this.measured.names(colour("--ink"))];
     this.scene.add(...this.drawn);
     this.draw();
@@ -248,8 +260,9 @@ class LiveScene {
 
   render(width, height) {
     const shared = sharedRenderer();
-    shared.setPixelRatio(devicePixelRatio);
-    shared.setSize(width, height, false);
+    const size = shared.getSize(new Vector2());
+    if (shared.getPixelRatio() !== devicePixelRatio) shared.setPixelRatio(devicePixelRatio);
+    if (size.x !== width || size.y !== height) shared.setSize(width, height, false);
     shared.render(this.scene, this.camera);
     const { width: columns, height: rows } = shared.domElement;
     Object.assign(this.canvas, { width: columns, height: rows });

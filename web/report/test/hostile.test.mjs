@@ -24,8 +24,9 @@ let browser;
 before(async () => (browser = await openBrowser()));
 after(() => browser.close());
 
-// What a reader sees: control characters as the pictures that Unicode has for them.
-const seen = (name) => name.replaceAll("\u0000", "␀").replaceAll("\u0007", "␇");
+// What a reader sees: control characters as the pictures that Unicode has for them, marks of direction as their codes.
+const SEEN = { "\u0000": "␀", "\u0007": "␇", "\u202e": "[U+202E]" };
+const seen = (name) => name.replace(/[\u0000\u0007\u202e]/g, (c) => SEEN[c]);
 
 async function isShownAndHarmless(path, names) {
   const page = await openReport(browser, path, { viewport: PHONE });

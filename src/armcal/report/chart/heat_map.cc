@@ -19,7 +19,6 @@ constexpr double kMapWidth = 480.0;
 constexpr double kMapMostNames = 130.0;  // room for names
 constexpr double kLeastCell = 13.0;      // a name is as high
 constexpr double kMostCell = 40.0;
-constexpr double kSignCell = 12.0;  // a sign needs as much
 constexpr double kSigned = 0.15;    // of the full colour: weaker cells have no sign
 constexpr int kMapShades = 20;
 constexpr double kStrong = 0.6;  // shade on which text must be white
@@ -172,7 +171,7 @@ class HeatPicture {
       const double x = x_of(cell.column) + 0.5 * cell_;
       const double y = y_of(cell.row) + 0.5 * cell_;
       std::string sign = fmt::format("M{}h{}", point(x - half, y), coordinate(2.0 * half));
-      if (cell.shade > 0 && cell_ > kSignCell) {
+      if (cell.shade > 0) {
         sign += fmt::format("M{}v{}", point(x, y - half), coordinate(2.0 * half));
       }
       signs[std::abs(cell.shade) > kStrong * kMapShades ? 1 : 0] += sign;

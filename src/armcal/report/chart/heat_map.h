@@ -25,8 +25,8 @@ struct HeatMap {
 };
 
 /// Blue for negative, orange for positive, the paper for zero. Where cells are large their values
-/// stand in them, where smaller a sign of those that count, else a dash on the negative ones: so it
-/// can be read without colours. Values are shown when hovered: of all cells where these are few,
+/// stand in them, where smaller a plus or minus on those that count: so it can be read without
+/// colours. Values are shown when hovered: of all cells where these are few,
 /// else of the strongest. Names beyond those of the matrix's rows and columns are left out.
 [[nodiscard]] Figure figure_of(const HeatMap& map);
 

@@ -109,11 +109,10 @@ std::vector<PaintedPiece> solid_pieces(const StandingArm& arm, const SpaceView& 
     const double half = 0.62 * radius_of(i, n);
     const double end = i + 1 < n ? 0.62 * radius_of(i + 1, n) : 1.0;
     const double length = (view.at(to) - view.at(from)).norm();
-    // A long link behind one joint and before another: in halves it finds its places.
-    const Eigen::Vector3d middle = 0.5 * (from + to);
     if (length > 0.5) {
+      // As near as its quarter at the joint that carries it.
       pieces.push_back(
-          {view.nearness(0.5 * (from + middle)),
+          {view.nearness(0.75 * from + 0.25 * to),
            path(tapered(view.at(from), half, view.at(to), end), filled("link", kLinkFill))});
     }
     const bool is_marked = i == emphasised;

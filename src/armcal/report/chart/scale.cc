@@ -20,6 +20,7 @@ constexpr double kLargest = 1e300;  // differences of what is drawn are finite
 constexpr double kSmallest = 1e-300;
 constexpr double kFewer = 0.8;      // of a step: a few ticks more rather than half as many
 constexpr int kMostPerName = 5;     // decades that have a mark each, if only one of so many a name
+constexpr int kFewestNamed = 3;     // ticks of a logarithmic axis
 constexpr double kRounding = 1e-9;  // of a step
 
 constexpr const char* kMinus = "\u2212";
@@ -130,10 +131,14 @@ double ChartScale::at(double value) const {
 
 std::vector<ChartTick> ChartScale::ticks(int about) const {
   if (kind_ == AxisScale::linear) return linear_ticks(about);
-  std::vector<ChartTick> ticks = decade_ticks(about);
-  const auto named = std::count_if(ticks.begin(), ticks.end(),
-                                   [](const ChartTick& tick) { return !tick.text.empty(); });
-  return named >= 3 ? ticks : linear_ticks(about);
+  const bool have_room = 3.0 * decades_of(range_) <= about;
+  for (const bool names_between : {have_room, true}) {
+    std::vector<ChartTick> ticks = decade_ticks(about, names_between);
+    const auto named = std::count_if(ticks.begin(), ticks.end(),
+                                     [](const ChartTick& tick) { return !tick.text.empty(); });
+    if (named >= kFewestNamed) return ticks;
+  }
+  return linear_ticks(about);
 }
 
 std::vector<ChartTick> ChartScale::ticks_below(int about, double text_size) const {
@@ -164,12 +169,11 @@ std::vector<ChartTick> ChartScale::linear_ticks(int about) const {
   return ticks;
 }
 
-std::vector<ChartTick> ChartScale::decade_ticks(int about) const {
+std::vector<ChartTick> ChartScale::decade_ticks(int about, bool names_between) const {
   const int first = exponent_of(range_.low);
   const int last = exponent_of(range_.high);
   const double decades = decades_of(range_);
   const int every = std::max(1, static_cast<int>(std::ceil(decades / std::max(1, about))));
-  const bool names_between = 3.0 * decades <= about;
   std::vector<ChartTick> ticks;
   for (int exponent = first; exponent <= last; ++exponent) {
     for (const int factor : {1, 2, 5}) {

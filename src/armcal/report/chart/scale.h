@@ -56,7 +56,7 @@ class ChartScale {
 
  private:
   [[nodiscard]] std::vector<ChartTick> linear_ticks(int about) const;
-  [[nodiscard]] std::vector<ChartTick> decade_ticks(int about) const;
+  [[nodiscard]] std::vector<ChartTick> decade_ticks(int about, bool names_between) const;
 
   AxisScale kind_;
   ChartRange range_;

@@ -6,9 +6,13 @@
 
 #include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "armcal/core/random.h"
 #include "armcal/report/chart/svg.h"
+#include "armcal/report/document.h"
+#include "armcal/testing/reference_data.h"
+#include "armcal/testing/temporary_folder.h"
 
 namespace armcal {
 namespace {
@@ -40,6 +44,24 @@ TEST(ChartScale, LinearTicksAreEvenNiceAndWithinTheRange) {
       if (i == 0) continue;
       EXPECT_NEAR(ticks[i].value - ticks[i - 1].value, step, 1e-6 * step);
       EXPECT_NE(ticks[i].text, ticks[i - 1].text);
+    }
+  }
+}
+
+// The live charts are held against the same table (web/report/test/ticks.test.mjs).
+TEST(ChartScale, HasTheMarksOfTheTable) {
+  const Json cases =
+      Json::parse(testing::read_bytes(testing::repository() / "web/report/test/tick_cases.json"));
+  ASSERT_GE(cases.size(), 9U);
+  for (const Json& each : cases) {
+    const AxisScale kind = each["scale"] == "log" ? AxisScale::logarithmic : AxisScale::linear;
+    const ChartScale scale(kind, {each["low"], each["high"]}, 0.0, 400.0);
+    const std::vector<ChartTick> ticks = scale.ticks(each["about"].get<int>());
+    ASSERT_EQ(ticks.size(), each["ticks"].size()) << each;
+    for (std::size_t i = 0; i < ticks.size(); ++i) {
+      const double wanted = each["ticks"][i][0];
+      EXPECT_NEAR(ticks[i].value, wanted, 1e-9 * std::abs(wanted)) << each;
+      EXPECT_EQ(ticks[i].text, each["ticks"][i][1]) << each;
     }
   }
 }

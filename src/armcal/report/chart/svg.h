@@ -58,7 +58,7 @@ class SvgDrawing {
 
 /// At most two decimals and no zeros behind them; finite.
 [[nodiscard]] std::string coordinate(double value);
-/// "12.5 7", 0.1 apart at the least.
+/// "12.5 7": rounded to a tenth.
 [[nodiscard]] std::string point(double x, double y);
 
 /// A little more than the text will take.

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "armcal/report/html/document_view.h"
 
+#include "armcal/report/html/visible_text.h"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -50,7 +52,7 @@ std::vector<DocumentView> DocumentView::list(std::string_view key) const {
 
 std::string DocumentView::as_text() const {
   if (!json_->is_string()) complain("is not a text");
-  return json_->get<std::string>();
+  return visible_text(json_->get_ref<const std::string&>());
 }
 
 double DocumentView::as_number() const {

@@ -25,6 +25,7 @@ class DocumentView {
   [[nodiscard]] std::vector<DocumentView> list(std::string_view key) const;  ///< an array under it
   [[nodiscard]] std::vector<DocumentView> items() const;  ///< this, which must be an array
 
+  /// As it can be seen: `visible_text`.
   [[nodiscard]] std::string text(std::string_view key) const;
   [[nodiscard]] double number(std::string_view key) const;
   [[nodiscard]] bool flag(std::string_view key) const;

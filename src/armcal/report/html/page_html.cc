@@ -14,6 +14,7 @@
 #include "armcal/report/html/assets.h"
 #include "armcal/report/html/paper_style.h"
 #include "armcal/report/html/script_json.h"
+#include "armcal/report/html/visible_text.h"
 
 namespace armcal {
 namespace {
@@ -26,23 +27,7 @@ constexpr std::string_view kDetailsBegin =
     "<script type=\"application/json\" id=\"armcal-details\">";
 constexpr std::string_view kEmbeddedEnd = "</script>";
 
-// Control characters as the pictures that Unicode has for them: browsers drop NUL, and a name shall
-// look like what it is.
-Data text_data(const std::string& text) {
-  std::string seen;
-  seen.reserve(text.size());
-  for (const char c : text) {
-    const auto code = static_cast<unsigned char>(c);
-    const bool is_control = (code < 0x20 && c != '\n' && c != '\t' && c != '\r') || code == 0x7f;
-    if (is_control) {
-      seen += "\xe2\x90";  // U+2400 onwards
-      seen += static_cast<char>(code == 0x7f ? 0xa1 : 0x80 + code);
-    } else {
-      seen += c;
-    }
-  }
-  return Data(seen);
-}
+Data text_data(const std::string& text) { return Data(visible_text(text)); }
 
 // Every key is always there: a name that a template does not find here it would look for further
 // out.

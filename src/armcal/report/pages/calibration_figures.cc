@@ -248,6 +248,49 @@ Figure correlations(const DocumentView& document, const Language& say) {
   return figure_of(map);
 }
 
+// Pairs that the readings tell apart badly, as words: a map has no text.
+std::optional<Table> close_pairs(const DocumentView& document, const Language& say) {
+  constexpr std::size_t kPairsShown = 10;
+  if (!document.has("correlations")) return std::nullopt;
+  Table table;
+  table.caption = say("numerics.close_pairs");
+  table.columns = {{say("parameters.name"), ColumnKind::text},
+                   {say("parameters.name"), ColumnKind::text},
+                   {say("figures.correlation_key")}};
+  for (const DocumentView& pair : document.list("correlations")) {
+    const std::vector<std::string> names = pair.texts("parameters");
+    if (names.size() != 2) pair["parameters"].complain("is no pair");
+    table.rows.push_back({{names[0]}, {names[1]}, {fixed(pair.number("correlation"), 3)}});
+  }
+  table.shown = kPairsShown;
+  return table.rows.empty() ? std::nullopt : std::optional(std::move(table));
+}
+
+// Where the readings found the places that they share: points of the base frame by their names.
+std::vector<SceneArtefact> found_points(const DocumentView& document, double reach_mm) {
+  constexpr std::string_view kPrefix = "point.";
+  constexpr double kFarthest = 10.0;  // times the reach: what is beyond was not touched
+  std::map<std::string, Eigen::Vector3d> places;
+  std::map<std::string, int> axes;
+  if (!document.has("nuisances")) return {};
+  for (const DocumentView& nuisance : document.list("nuisances")) {
+    const std::string name = nuisance.text("name");
+    const std::size_t dot = name.rfind('.');
+    if (!name.starts_with(kPrefix) || dot + 2 != name.size() || dot < kPrefix.size()) continue;
+    const std::size_t axis = std::string_view("xyz").find(name.back());
+    if (axis == std::string_view::npos) continue;
+    const std::string point = name.substr(kPrefix.size(), dot - kPrefix.size());
+    places[point](static_cast<Eigen::Index>(axis)) = nuisance.number("value");
+    ++axes[point];
+  }
+  std::vector<SceneArtefact> points;
+  for (const auto& [name, place] : places) {
+    if (axes[name] != 3 || !(place.norm() < kFarthest * reach_mm)) continue;
+    points.push_back({.shape = ArtefactShape::point, .name = name, .at_mm = place});
+  }
+  return points;
+}
+
 std::optional<Figure> convergence(const DocumentView& document, const Language& say) {
   if (!document.has("convergence")) return std::nullopt;
   Chart chart;
@@ -294,6 +337,7 @@ Section arm_section(const DocumentView& document, const std::vector<ResidualRow>
     drawing.scene.postures.push_back({row.label, as_column(row.q_deg) * radians_from_degrees(1.0),
                                       row.residual_vector_mm, row.is_check});
   }
+  drawing.scene.artefacts = found_points(document, reach_mm(drawing.scene.arm));
   drawing.scene.enlargement = nice_enlargement(drawing.scene);
   const std::string enlargement = fmt::format("{:g}", drawing.scene.enlargement);
   drawing.title = say("arm.drawing", enlargement);
@@ -349,6 +393,7 @@ Section numerics_section(const DocumentView& document, const Language& say) {
        {say("numerics.chi_squared"), fmt::format("{:.6g}", document.number("chi2"))},
        {say("numerics.degrees_of_freedom"), whole(document.number("dof"))},
        {say("numerics.probability"), fmt::format("{:.2g}", document.number("chi2_probability"))}}});
+  if (auto pairs = close_pairs(document, say)) section.blocks.emplace_back(std::move(*pairs));
   Figures figures;
   figures.items.push_back(correlations(document, say));
   if (auto figure = convergence(document, say)) figures.items.push_back(std::move(*figure));

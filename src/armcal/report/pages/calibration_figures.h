@@ -23,7 +23,7 @@ namespace armcal {
 [[nodiscard]] Section coverage_section(const DocumentView& document,
                                        const std::vector<ResidualRow>& rows, const Language& say);
 
-/// Change of each parameter in units of its uncertainty.
+/// Change of each parameter in its unit, with U = 2 u.
 [[nodiscard]] Figures parameter_changes(const DocumentView& document, const Language& say);
 
 /// Correlations of the parameters, and how the iteration went.

@@ -78,7 +78,8 @@ TEST(CheckPage, NamesBrokenRulesInTheLanguageOfTheReader) {
 // Of a signed value near -limit the chart had no limit, and the text said that it lay beyond.
 TEST(CheckPage, DrawsTheLimitThatIsNear) {
   const Page page = check_page_of_example(check_example({-0.045, -0.044, -0.046, -0.045, -0.060}));
-  const Figure& figure = std::get<Figures>(section_of(page, "trend-of-1").blocks.at(0)).items.at(0);
+  const Section section = section_of(page, "trend-of-1");
+  const Figure& figure = std::get<Figures>(section.blocks.at(0)).items.at(0);
   EXPECT_THAT(figure.text, Not(HasSubstr("lies beyond this chart")));
   EXPECT_THAT(figure.svg, HasSubstr(">limit<"));
 }
