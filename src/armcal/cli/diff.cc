@@ -27,8 +27,10 @@ bool has_changed(const ParameterChange& change) {
   return !change.held_in_one && std::abs(change.ratio) > kNotable;
 }
 
-Json json_of_changes(const std::vector<ParameterChange>& changes) {
+Json json_of_changes(const DiffFlags& flags, const std::vector<ParameterChange>& changes) {
   Json json;
+  json["before"] = flags.before;
+  json["after"] = flags.after;
   json["changes"] = Json::array();
   for (const ParameterChange& each : changes) {
     json["changes"].push_back({{"name", each.name},
@@ -73,7 +75,7 @@ std::string text_of_changes(const std::vector<ParameterChange>& changes) {
 int run_diff(const DiffFlags& flags, const Context& context) {
   InputFiles files(context.monitor);
   const auto changes = changes_between(files, flags.before, flags.after);
-  context.emit(files.records(), files.diagnostics(), json_of_changes(changes),
+  context.emit(files.records(), files.diagnostics(), json_of_changes(flags, changes),
                text_of_changes(changes));
   return kDone;
 }

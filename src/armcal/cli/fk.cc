@@ -17,8 +17,9 @@ struct FkFlags {
   TableFlags table;
 };
 
-Json json_of_tips(const Eigen::Matrix3Xd& tips) {
+Json json_of_tips(const FkFlags& flags, const Eigen::Matrix3Xd& tips) {
   Json json;
+  json["arm"] = flags.arm;
   json["count"] = tips.cols();
   json["tips_mm"] = json_of(Eigen::MatrixXd(tips.transpose()));
   return json;
@@ -34,7 +35,7 @@ int run_fk(const FkFlags& flags, const Context& context) {
     text.clear();
   }
   context.emit(files.records(), files.diagnostics(),
-               context.wants_document() ? json_of_tips(tips) : Json(), text);
+               context.wants_document() ? json_of_tips(flags, tips) : Json(), text);
   return kDone;
 }
 

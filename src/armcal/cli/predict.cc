@@ -28,6 +28,7 @@ int run_predict(const PredictFlags& flags, const Context& context) {
     text.clear();
   }
   Json json;
+  json["calibration"] = flags.calibration;
   json["count"] = predicted.tips_mm.cols();
   json["tips_mm"] = json_of(Eigen::MatrixXd(predicted.tips_mm.transpose()));
   json["u_mm"] = json_of(Eigen::MatrixXd(predicted.u_mm.transpose()));

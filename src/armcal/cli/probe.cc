@@ -20,6 +20,15 @@ struct ProbeFlags {
   TableFlags table;
 };
 
+// What the readings were said to be.
+Json json_of_stated(const ProbeRequest& request) {
+  return {{"sphere_diameter_mm",
+           request.sphere_diameter_mm ? Json(*request.sphere_diameter_mm) : Json(nullptr)},
+          {"tip_diameter_mm", request.tip_diameter_mm},
+          {"u_mm", request.u_mm},
+          {"u_encoder_arcsec", arcseconds_from_radians(request.u_encoder_rad)}};
+}
+
 int run_probe_command(const ProbeFlags& flags, const Context& context) {
   if (flags.output) check_may_write(*flags.output, context.overwrite);
   ProbeRequest request = flags.request;
@@ -28,7 +37,8 @@ int run_probe_command(const ProbeFlags& flags, const Context& context) {
   request.tip_diameter_mm = flags.tip_diameter_mm.value_or(0.0);
   InputFiles files(context.monitor);
   const StylusQualification stylus = run_probe(files, request, flags.table.options());
-  const Json json = json_result(stylus, flags.limit_mm);
+  Json json = json_result(stylus, flags.limit_mm);
+  json["stated"] = json_of_stated(request);
   if (flags.output) context.save(*flags.output, arm_text(stylus.calibration.arm), files.records());
   context.emit(files.records(), files.diagnostics(), json, text_result(stylus, flags.limit_mm));
   return verdict_of(stylus, flags.limit_mm) == Verdict::fail ? kDoesNotConform : kDone;

@@ -28,8 +28,9 @@ int run_sphere(const SphereFlags& flags, const Context& context) {
   InputFiles files(context.monitor);
   const SphereTest test =
       run_sphere_test(files, flags.readings, flags.arm, options, flags.table.options());
-  context.emit(files.records(), files.diagnostics(), json_result(test, options),
-               text_result(test, options));
+  Json json = json_result(test, options);
+  json["arm"] = flags.arm ? Json(*flags.arm) : Json(nullptr);
+  context.emit(files.records(), files.diagnostics(), json, text_result(test, options));
   return test.verdict() == Verdict::fail ? kDoesNotConform : kDone;
 }
 

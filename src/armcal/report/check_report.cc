@@ -100,6 +100,11 @@ Json json_result(const CheckSummary& summary) {
   if (summary.check) {
     json["time"] = utc_text(summary.time);
     json["kind"] = to_string(summary.check->kind);
+    json["diameter_mm"] = json_of(summary.options.diameter_mm);
+    json["tip_diameter_mm"] = summary.options.tip_diameter_mm;
+    json["length_mm"] = json_of(summary.options.length_mm);
+    json["temperature_C"] = json_of(summary.temperature_C);
+    json["note"] = summary.note;
     json["places"] = json_of_places(*summary.check);
     json["tests"] = json_of_tests(*summary.check);
     json["verdict"] = to_string(summary.check->verdict());

@@ -19,6 +19,9 @@ struct CheckSummary {
   std::string arm;       ///< name; may be empty
   std::string artefact;  ///< may be empty
   UtcSeconds time = 0;
+  InterimCheckOptions options;  ///< of the check: certified values, tip
+  std::optional<double> temperature_C;
+  std::string note;
   std::optional<InterimCheck> check;   ///< nothing where only the history was asked for
   std::optional<std::string> history;  ///< its file
   std::optional<std::int64_t> saved;   ///< number of the check, once it is safe

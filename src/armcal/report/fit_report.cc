@@ -101,6 +101,8 @@ Json json_result(const Registration& fit) {
   Json json;
   json["rotation"] = json_of(Eigen::MatrixXd(fit.target_from_source.rotation));
   json["translation_mm"] = json_of(Eigen::VectorXd(fit.target_from_source.translation_mm));
+  const Eigen::Vector3d angles_rad = roll_pitch_yaw_from_rotation(fit.target_from_source.rotation);
+  json["roll_pitch_yaw_deg"] = json_of(Eigen::VectorXd(angles_rad * degrees_from_radians(1.0)));
   json["scale"] = fit.scale;
   add_summary(json, fit, false);
   json["max_mm"] = fit.form_mm;

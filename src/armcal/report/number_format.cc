@@ -10,6 +10,10 @@
 namespace armcal {
 
 std::string fixed(double value, int decimals) {
+  if (decimals < 0) {
+    const double step = std::pow(10.0, -decimals);
+    return fixed(step * std::round(value / step), 0);
+  }
   std::string text = fmt::format("{:.{}f}", value, decimals);
   const bool only_zeros = text.find_first_not_of("-0.") == std::string::npos;
   if (only_zeros && text.starts_with('-')) text.erase(0, 1);
@@ -21,7 +25,7 @@ int decimals_for_uncertainty(double u) {
   // Of 0.00995 two digits are 0.010 with three decimals: round first, then count.
   const double rounded = std::stod(fmt::format("{:.1e}", u));
   const int exponent = static_cast<int>(std::floor(std::log10(rounded) + 1e-12));
-  return std::clamp(1 - exponent, 0, 9);
+  return std::min(1 - exponent, 9);
 }
 
 std::string with_uncertainty(double value, double u) {

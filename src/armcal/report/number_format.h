@@ -6,10 +6,10 @@
 
 namespace armcal {
 
-/// A number with a fixed count of decimals; never "-0.000".
+/// A number with a fixed count of decimals; never "-0.000". Negative: rounded to tens, hundreds ..
 [[nodiscard]] std::string fixed(double value, int decimals);
 
-/// Decimals that show `u` with two significant digits, at least 0 and at most 9.
+/// Decimals that show `u` with two significant digits, at most 9; negative where u is 100 or more.
 [[nodiscard]] int decimals_for_uncertainty(double u);
 
 /// "78.3120 +- 0.0021": the uncertainty with two significant digits, the value rounded to match

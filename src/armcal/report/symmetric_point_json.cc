@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "armcal/arm/parameter_table.h"
 #include "armcal/core/units.h"
 #include "armcal/io/arm_file.h"
 #include "armcal/report/symmetric_point_amounts.h"
@@ -111,11 +112,15 @@ Json claim_json(const ClaimCheck& claim, bool mends_angle) {
 
 Json adjustment_json(const SymmetricPointAnalysis& analysis) {
   const Adjustment& adjustment = analysis.adjustment;
+  const ParameterTable table(analysis.nominal);
+  const Eigen::VectorXd nominal = table.nominal();
   Json adjusted = Json::object();
   for (std::size_t i = 0; i < adjustment.unknown_names.size(); ++i) {
     const auto place = static_cast<Eigen::Index>(i);
     const bool is_angle = is_angle_parameter(analysis, adjustment.unknown_names[i]);
+    const auto index = table.find(adjustment.unknown_names[i]);
     adjusted[adjustment.unknown_names[i]] = {
+        {"nominal", index ? Json(shown_amount(nominal(*index), is_angle)) : Json()},
         {"value", shown_amount(adjustment.values(place), is_angle)},
         {"u", shown_amount(adjustment.u(place), is_angle)},
         {"unit", unit_of_amount(is_angle)}};
@@ -155,6 +160,9 @@ Json json_result(const SymmetricPointAnalysis& analysis) {
   json["dof"] = adjustment.degrees_of_freedom;
   json["chi2_probability"] = adjustment.chi_squared_probability;
   json["critical_value"] = adjustment.critical_value;
+  // Of the outlier test of each reading: how often it errs on either side.
+  json["significance"] = AdjustmentOptions{}.significance;
+  json["power"] = AdjustmentOptions{}.power;
   json["readings"] = Json::array();
   for (std::size_t i = 0; i < analysis.readings.size(); ++i) {
     json["readings"].push_back(reading_json(analysis, i));

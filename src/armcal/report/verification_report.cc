@@ -47,11 +47,23 @@ const ResultPart* deciding_part(const Judged& judged) {
   return at == parts.end() ? nullptr : &*at;
 }
 
+// Where the limit depends on the length, the two arms may be decided by different lengths.
+bool have_limits_of_their_own(const Verification& verification) {
+  return std::any_of(verification.statistics.begin(), verification.statistics.end(),
+                     [](const VerifiedStatistic& statistic) {
+                       return statistic.as_left &&
+                              statistic.as_found.mpe_mm != statistic.as_left->mpe_mm;
+                     });
+}
+
 std::string table_of_tests(const Verification& verification) {
   const bool both = !verification.as_left_file.empty();
+  const bool own_limits = have_limits_of_their_own(verification);
   std::vector<TextTable::Column> columns = {{"test", Align::left}, {"symbol", Align::left}};
   if (both) {
-    columns.insert(columns.end(), {{"as found mm"}, {"verdict"}, {"as left mm"}});
+    columns.push_back({"as found mm"});
+    if (own_limits) columns.push_back({"MPE mm"});
+    columns.insert(columns.end(), {{"verdict"}, {"as left mm"}});
   } else {
     columns.push_back({"value mm"});
   }
@@ -63,8 +75,9 @@ std::string table_of_tests(const Verification& verification) {
     std::vector<std::string> cells = {statistic.title, symbol.empty() ? "-" : symbol};
     if (both) {
       const bool has_both = statistic.as_left.has_value();
-      cells.insert(cells.end(), {length_cell(value_of(statistic.as_found)),
-                                 verdict_cell(statistic.as_found.verdict),
+      cells.push_back(length_cell(value_of(statistic.as_found)));
+      if (own_limits) cells.push_back(length_cell(statistic.as_found.mpe_mm));
+      cells.insert(cells.end(), {verdict_cell(statistic.as_found.verdict),
                                  has_both ? length_cell(value_of(judged)) : "-"});
     } else {
       cells.push_back(length_cell(value_of(judged)));
@@ -107,15 +120,31 @@ std::string missing_text(const Verification& verification) {
   return text.empty() ? text : "\nIncomplete: not a test of the standard\n" + text;
 }
 
+std::string not_performed_text(const Verification& verification) {
+  if (verification.not_performed.empty()) return {};
+  return fmt::format("\nTests of the standard that were not performed: {}\n",
+                     fmt::join(verification.not_performed, ", "));
+}
+
+std::string deciding_line(const VerifiedStatistic& statistic, const Judged& judged,
+                          const char* whose) {
+  const ResultPart* part = deciding_part(judged);
+  if (part == nullptr) return {};
+  std::string line = fmt::format("  {}{}: {}", statistic.title, whose, part->name);
+  if (!part->where.empty()) line += fmt::format(" (from {})", part->where);
+  if (!statistic.limit.empty()) line += fmt::format(", limit {}", statistic.limit);
+  return line + '\n';
+}
+
 std::string deciding_text(const Verification& verification) {
   std::string text;
   for (const VerifiedStatistic& statistic : verification.statistics) {
-    const ResultPart* part = deciding_part(statistic.judged());
-    if (part == nullptr) continue;
-    text += fmt::format("  {}: {}", statistic.title, part->name);
-    if (!part->where.empty()) text += fmt::format(" (from {})", part->where);
-    if (!statistic.limit.empty()) text += fmt::format(", limit {}", statistic.limit);
-    text += '\n';
+    if (statistic.as_left) {
+      text += deciding_line(statistic, statistic.as_found, ", as found");
+      text += deciding_line(statistic, *statistic.as_left, ", as left");
+    } else {
+      text += deciding_line(statistic, statistic.as_found, "");
+    }
   }
   return text.empty() ? text : "\nWhat decides\n" + text;
 }
@@ -165,6 +194,8 @@ std::string budgets_text(const Verification& verification) {
   }
   return table.empty() ? std::string() : "\nUncertainty of the tests, um\n" + table.text();
 }
+
+Json text_or_null(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
 
 Json json_of_part(const ResultPart& part, const std::optional<MaximumPermissibleError>& mpe) {
   const bool has_limit = mpe && part.length_mm;
@@ -232,7 +263,8 @@ Json json_of_statistic(const VerifiedStatistic& statistic, const Verification& v
   json["title"] = statistic.title;
   json["definition"] = result.definition;
   json["is_signed"] = result.is_signed;
-  json["limit"] = statistic.limit.empty() ? Json(nullptr) : Json(statistic.limit);
+  json["artefact"] = text_or_null(statistic.artefact);
+  json["limit"] = text_or_null(statistic.limit);
   json.update(json_of_judged(statistic.judged(), statistic, verification));
   if (statistic.as_left) {
     json["as_found"] = json_of_judged(statistic.as_found, statistic, verification);
@@ -245,7 +277,27 @@ Json json_of_statistic(const VerifiedStatistic& statistic, const Verification& v
   return json;
 }
 
-Json text_or_null(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
+// What its certificate says of it.
+Json json_of_artefact(const StatedArtefact& artefact) {
+  Json json = {{"name", artefact.name},
+               {"kind", artefact.is_sphere ? "sphere" : "lengths"},
+               {"certificate", text_or_null(artefact.certificate)},
+               {"coverage_factor", artefact.coverage_factor},
+               {"expansion_per_K", artefact.expansion_per_K},
+               {"u_expansion_per_K", artefact.u_expansion_per_K}};
+  if (artefact.is_sphere) {
+    json["diameter_mm"] = artefact.diameter_mm;
+    json["U_mm"] = artefact.U_mm;
+    json["form_mm"] = artefact.form_mm;
+    return json;
+  }
+  json["lengths"] = Json::array();
+  for (const CertifiedLength& length : artefact.lengths) {
+    json["lengths"].push_back(
+        {{"name", length.name}, {"length_mm", length.length_mm}, {"U_mm", length.U_mm}});
+  }
+  return json;
+}
 
 }  // namespace
 
@@ -260,6 +312,13 @@ Json json_result(const Verification& verification) {
                       {"coverage_factor", verification.coverage_factor},
                       {"probability", verification.rule.probability},
                       {"guard_factor", verification.rule.guard_factor}};
+  json["environment"] = {{"temperature_C", verification.environment.temperature_C},
+                         {"u_temperature_K", verification.environment.u_temperature_K}};
+  json["artefacts"] = Json::array();
+  for (const StatedArtefact& artefact : verification.artefacts) {
+    json["artefacts"].push_back(json_of_artefact(artefact));
+  }
+  json["not_performed"] = verification.not_performed;
   json["tests"] = Json::array();
   for (const VerifiedStatistic& statistic : verification.statistics) {
     json["tests"].push_back(json_of_statistic(statistic, verification));
@@ -273,7 +332,8 @@ Json json_result(const Verification& verification) {
 
 std::string text_result(const Verification& verification) {
   return head_of(verification) + "\n" + table_of_tests(verification) + missing_text(verification) +
-         deciding_text(verification) + definitions_text(verification) + budgets_text(verification);
+         not_performed_text(verification) + deciding_text(verification) +
+         definitions_text(verification) + budgets_text(verification);
 }
 
 }  // namespace armcal

@@ -71,6 +71,42 @@ TEST(VerificationReport, SetsAsFoundBesideAsLeft) {
   EXPECT_EQ(json["as_found_verdict"], "fail");
   EXPECT_EQ(json["tests"][0]["value_mm"], 0.020);
   EXPECT_EQ(json["tests"][0]["as_found"]["value_mm"], 0.080);
+  EXPECT_THAT(text, HasSubstr("length error, as found: 1000 mm at P1"));
+  EXPECT_THAT(text, HasSubstr("length error, as left: 1000 mm at P1"));
+}
+
+// What decides may be another length, with another limit.
+TEST(VerificationReport, GivesTheArmAsFoundItsOwnLimit) {
+  Verification verification = verification_in_text();
+  verification.as_left_file = "left.arm.toml";
+  verification.statistics.front().as_left = length_error(0.020);
+  verification.statistics.front().as_found.mpe_mm = 0.055;
+  EXPECT_THAT(text_result(verification),
+              HasSubstr("length error  E_Uni        0.0800  0.0550     fail      0.0200  0.0400"));
+}
+
+TEST(VerificationReport, SaysWhatWasMeasuredOnAndWhatWasNotTested) {
+  Verification verification = verification_in_text();
+  EXPECT_THAT(text_result(verification), Not(HasSubstr("not performed")));
+  verification.not_performed = {"articulated location error", "length error"};
+  EXPECT_THAT(text_result(verification),
+              HasSubstr("\nTests of the standard that were not performed: articulated location "
+                        "error, length error\n"));
+  verification.statistics.front().artefact = "bar";
+  StatedArtefact bar;
+  bar.name = "bar";
+  bar.is_sphere = false;
+  bar.certificate = "DKD 0815";
+  bar.lengths = {{"1", 500.0012, 0.0006}};
+  verification.artefacts = {bar};
+  verification.environment = {20.8, 0.3};
+  const Json json = json_result(verification);
+  EXPECT_EQ(json["tests"][0]["artefact"], "bar");
+  EXPECT_EQ(json["not_performed"].size(), 2U);
+  EXPECT_EQ(json["environment"]["temperature_C"], 20.8);
+  EXPECT_EQ(json["artefacts"][0]["certificate"], "DKD 0815");
+  EXPECT_EQ(json["artefacts"][0]["lengths"][0]["U_mm"], 0.0006);
+  EXPECT_FALSE(json["artefacts"][0].contains("diameter_mm"));
 }
 
 TEST(VerificationReport, JsonHasWhatProgramsRelyOn) {

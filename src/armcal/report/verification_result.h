@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "armcal/io/verification_file.h"
 #include "armcal/verification/decision_rule.h"
 #include "armcal/verification/judgement.h"
 #include "armcal/verification/maximum_permissible_error.h"
@@ -29,6 +30,7 @@ struct VerifiedStatistic {
   std::optional<Judged> as_left;  ///< where a second arm was given
   std::vector<TestBudget> budgets;
   std::optional<MaximumPermissibleError> mpe = {};  ///< that limit, for every length
+  std::string artefact = {};                        ///< name of what was measured; empty: a seat
 
   /// What counts: as left, where that was judged.
   [[nodiscard]] const Judged& judged() const { return as_left ? *as_left : as_found; }
@@ -44,6 +46,10 @@ struct Verification {
   DecisionRule rule;
   double coverage_factor = 2.0;
   std::vector<VerifiedStatistic> statistics;
+  std::vector<StatedArtefact> artefacts;  ///< that these were measured on
+  StatedEnvironment environment;
+  /// Tests of the standard that the file does not hold: "articulated location error".
+  std::vector<std::string> not_performed;
 
   /// The worst verdict: of the arm as left where there is one, else as found.
   [[nodiscard]] Verdict verdict() const;

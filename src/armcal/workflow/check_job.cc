@@ -193,6 +193,9 @@ CheckSummary run_check(InputFiles& files, const CheckRequest& request,
     summary.arm = request.arm_name.value_or(arm ? arm->name : "");
     summary.artefact = request.artefact.value_or("");
     summary.time = request.time;
+    summary.options = request.options;
+    summary.temperature_C = request.temperature_c;
+    summary.note = request.note;
     summary.check = measured(files, request, arm, options);
     if (request.history) save(files, request, summary);
   } else {

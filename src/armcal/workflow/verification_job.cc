@@ -35,6 +35,35 @@ std::string title_of(const StatedTest& test, const TestResult& result) {
   return has_own_name ? fmt::format("{}, {}", result.name, test.name) : result.name;
 }
 
+struct TestOfStandard {
+  const char* name;
+  std::vector<StatedTestKind> kinds;  // any of which is it
+};
+
+std::vector<TestOfStandard> tests_of(VerificationStandard standard) {
+  using enum StatedTestKind;
+  if (standard == VerificationStandard::iso10360_12) {
+    return {{"probing size and form errors", {probing}},
+            {"articulated location error", {articulated_location}},
+            {"length error", {length_uni, length_bi}}};
+  }
+  return {{"effective diameter", {effective_diameter}},
+          {"single-point articulation", {single_point_articulation}},
+          {"volumetric length", {volumetric_length}}};
+}
+
+std::vector<std::string> not_performed(VerificationStandard standard,
+                                       const std::vector<StatedTest>& stated) {
+  std::vector<std::string> names;
+  for (const TestOfStandard& test : tests_of(standard)) {
+    const bool is_there = std::any_of(stated.begin(), stated.end(), [&](const StatedTest& each) {
+      return std::find(test.kinds.begin(), test.kinds.end(), each.kind) != test.kinds.end();
+    });
+    if (!is_there) names.emplace_back(test.name);
+  }
+  return names;
+}
+
 class VerificationJob {
  public:
   VerificationJob(InputFiles& files, const std::string& path, const VerificationWishes& wishes)
@@ -79,6 +108,8 @@ class VerificationJob {
     result_.standard = name_of(wishes_.standard);
     result_.rule = rule_of(file_.decision);
     result_.coverage_factor = file_.decision.coverage_factor;
+    result_.environment = file_.environment;
+    result_.not_performed = not_performed(wishes_.standard, file_.tests);
   }
 
   void read_arms() {
@@ -110,6 +141,13 @@ class VerificationJob {
       if (auto lengths = certified_lengths(*table, files_.diagnostics())) {
         artefact.lengths = std::move(*lengths);
       }
+    }
+    for (const StatedArtefact& artefact : file_.artefacts) {
+      const bool is_used =
+          std::any_of(file_.tests.begin(), file_.tests.end(), [&](const StatedTest& test) {
+            return is_asked_for(test) && test.artefact == artefact.name;
+          });
+      if (is_used) result_.artefacts.push_back(artefact);
     }
   }
 
@@ -194,6 +232,7 @@ class VerificationJob {
       const auto limit = limit_of(test.stated, i);
       if (limit) statistic.limit = limit->text();
       statistic.mpe = limit;
+      statistic.artefact = test.stated.artefact;
       const auto judged = [&](const TestResult& result) {
         return judge(result, limit,
                      uncertainties_of(statistic.budgets, test, result, result_.coverage_factor),

@@ -18,6 +18,7 @@
 namespace armcal {
 namespace {
 
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
@@ -101,6 +102,11 @@ TEST_F(VerificationJobTest, JudgesEveryLengthByItsOwnLimit) {
   EXPECT_NEAR(judged.mpe_mm.value(), 0.040, 1e-12);  // of 1000 mm: 500 um are 12.5 times as much
   EXPECT_EQ(verification.verdict(), Verdict::fail);
   EXPECT_EQ(verification.statistics.front().limit, "20 um + L/50");
+  // What the file does not hold was not tested, and what it does not use was not measured on.
+  EXPECT_THAT(verification.not_performed,
+              ElementsAre("probing size and form errors", "articulated location error"));
+  ASSERT_EQ(verification.artefacts.size(), 1U);
+  EXPECT_EQ(verification.statistics.front().artefact, verification.artefacts.front().name);
 }
 
 TEST_F(VerificationJobTest, NamesWhatIsMissingAndComputesItOnlyIfAsked) {

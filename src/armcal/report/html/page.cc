@@ -36,6 +36,8 @@ const char* column_class(ColumnKind kind) {
   switch (kind) {
     case ColumnKind::number:
       return "num";
+    case ColumnKind::word:
+      return "word";
     case ColumnKind::prose:
       return "prose";
     case ColumnKind::text:

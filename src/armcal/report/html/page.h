@@ -49,8 +49,9 @@ struct Cell {
   std::string text;
   Tone tone = Tone::neutral;
 };
-/// What stands in a column: numbers are aligned right, in digits of one width; prose gets room.
-enum class ColumnKind { number, text, prose };
+/// What stands in a column: numbers are aligned right, in digits of one width; words (units, dates,
+/// limits) stay on one line; prose gets room.
+enum class ColumnKind { number, word, text, prose };
 
 /// Its class in report.css: "num".
 [[nodiscard]] const char* column_class(ColumnKind kind);

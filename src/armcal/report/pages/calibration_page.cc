@@ -185,14 +185,29 @@ std::string unseen_text(const DocumentView& direction, const Language& say) {
   return like.empty() ? direction.text("description") : say("calibration.unseen_like", held, like);
 }
 
+// Estimated, but more from what was known before than from the readings.
+std::string known_from_priors(const DocumentView& document, const Language& say) {
+  constexpr double kHalf = 0.5;
+  std::string names;
+  for (const DocumentView& parameter : document.list("parameters")) {
+    if (parameter.text("status") != "prior" || parameter.number("data_share") >= kHalf) continue;
+    names += fmt::format("{}{}", names.empty() ? "" : say("calibration.name_separator"),
+                         parameter.text("name"));
+  }
+  return names;
+}
+
 Section calibration_unseen_section(const DocumentView& document, const Language& say) {
-  Section section{"unseen", say("calibration.unseen"), say("calibration.unseen_lead"), {}};
-  Notice notice{Tone::neutral, "", {}};
+  Section section{"unseen", say("calibration.unseen"), "", {}};
+  Notice notice{Tone::neutral, say("calibration.unseen_lead"), {}};
   for (const DocumentView& direction : document.list("null_space")) {
     notice.lines.push_back(unseen_text(direction, say));
   }
   section.blocks.push_back(notice.lines.empty() ? Block(Paragraph{say("calibration.all_seen")})
                                                 : Block(notice));
+  if (const std::string names = known_from_priors(document, say); !names.empty()) {
+    section.blocks.emplace_back(Notice{Tone::neutral, say("calibration.from_priors"), {names}});
+  }
   return section;
 }
 
@@ -247,13 +262,14 @@ Section residuals_section(const DocumentView& document, const std::vector<Residu
   return section;
 }
 
-Section parameters_section(const DocumentView& document, const Language& say) {
+// @param lead  its key: what was, or can be, estimated
+Section parameters_section(const DocumentView& document, const char* lead, Table table,
+                           const Language& say) {
   const std::string condition = condition_text(document.number_if("condition_number"));
   return {"parameters",
           say("parameters.title"),
-          say("parameters.lead", whole(document.number("rank")), whole(document.number("unknowns")),
-              condition),
-          {parameter_table(document, say)}};
+          say(lead, whole(document.number("rank")), whole(document.number("unknowns")), condition),
+          {std::move(table)}};
 }
 
 }  // namespace
@@ -268,7 +284,8 @@ Page calibration_page(const DocumentView& document, const Language& say) {
       document.has("rows") ? residual_rows(document) : std::vector<ResidualRow>();
   page.sections.push_back(calibration_summary_section(document, quality, say));
   if (!rows.empty()) page.sections.push_back(arm_section(document, rows, say));
-  page.sections.push_back(parameters_section(document, say));
+  page.sections.push_back(
+      parameters_section(document, "parameters.lead", parameter_table(document, say), say));
   page.sections.back().blocks.emplace_back(parameter_changes(document, say));
   page.sections.push_back(calibration_unseen_section(document, say));
   page.sections.push_back(residuals_section(document, rows, say));
@@ -281,7 +298,9 @@ Page identifiability_page(const DocumentView& document, const Language& say) {
   Page page;
   page.title = say("identifiability.title");
   page.subtitle = document.text("arm_name");
-  page.sections = {parameters_section(document, say), calibration_unseen_section(document, say)};
+  page.sections = {parameters_section(document, "parameters.lead_of_expected",
+                                      expected_parameter_table(document, say), say),
+                   calibration_unseen_section(document, say)};
   return page;
 }
 

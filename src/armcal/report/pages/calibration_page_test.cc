@@ -255,6 +255,20 @@ TEST(CalibrationPage, RefusesAnArmThatIsNone) {
   EXPECT_THAT(refusal_of(document), HasSubstr("key arm: is no arm: "));
 }
 
+TEST(CalibrationPage, NamesWhatThePriorsTellMoreThanTheReadings) {
+  Json document = small_document();
+  EXPECT_THAT(words_of(page_in("en", document)), Not(HasSubstr("Known from their priors")));
+  document["null_space"] = Json::array();
+  document["parameters"][1]["status"] = "prior";
+  document["parameters"][1]["data_share"] = 0.12;
+  document["parameters"][2]["status"] = "prior";
+  document["parameters"][2]["data_share"] = 0.93;
+  const std::string name = document["parameters"][1]["name"];
+  const std::string words = words_of(page_in("en", document));
+  EXPECT_THAT(words, HasSubstr("more than from these readings\n" + name + "\n"));
+  EXPECT_THAT(words, Not(HasSubstr("These were held at their nominal values")));
+}
+
 TEST(CalibrationPage, KeepsTheLawsOfPages) { testing::expect_page_laws(small_document()); }
 
 TEST(IdentifiabilityPage, KeepsTheLawsOfPages) {
@@ -264,7 +278,11 @@ TEST(IdentifiabilityPage, KeepsTheLawsOfPages) {
        {"arm_name", "parameters", "rank", "unknowns", "condition_number", "null_space"}) {
     document[key] = full[key];
   }
-  EXPECT_EQ(page_in("en", document).sections.size(), 3U);
+  const Page page = page_in("en", document);
+  EXPECT_EQ(page.sections.size(), 3U);
+  // Before a calibration nothing has a value or a change.
+  EXPECT_THAT(words_of(page), HasSubstr("can be determined"));
+  EXPECT_THAT(words_of(page), HasSubstr("Parameter | Nominal | u | Unit | Status | Data share"));
   testing::expect_page_laws(document);
 }
 

@@ -64,7 +64,7 @@ Stamp check_stamp(const DocumentView& document, const Language& say) {
   const std::string unusual = say("check.sentence.unusual");
   if (!has_check(document)) {
     if (exceeds_now(document, say)) {
-      return {say("check.stamp.exceeds"), say("check.sentence.fail"), Tone::bad};
+      return {say("check.stamp.exceeds"), say("check.sentence.exceeded"), Tone::bad};
     }
     if (broken == 0) return {say("check.stamp.usual"), say("check.sentence.usual"), Tone::good};
     return {say("check.stamp.unusual"), unusual, Tone::warning};
@@ -159,12 +159,36 @@ Table check_places_table(const DocumentView& document, const Language& say) {
   return table;
 }
 
+// Of a history that was only looked at.
+Table last_values_table(const DocumentView& document, const Language& say) {
+  Table table;
+  table.caption = say("check.last_values");
+  table.columns = {{say("check.quantity"), ColumnKind::text},
+                   {say("verification.value_mm")},
+                   {say("check.limit_mm")},
+                   {say("check.check")},
+                   {say("check.date"), ColumnKind::word}};
+  for (const DocumentView& trend : document.list("trends")) {
+    const TrendHistory history = trend_history(trend, say);
+    if (history.checks.empty()) continue;
+    const TrendCheck& last = history.checks.back();
+    const bool exceeds = history.limit_mm && std::abs(last.value_mm) > *history.limit_mm;
+    table.rows.push_back({{history.title},
+                          {mm_text(last.value_mm), exceeds ? Tone::bad : Tone::neutral},
+                          {mm_text(history.limit_mm)},
+                          {last.number},
+                          {last.time.substr(0, 10)}});
+  }
+  return table;
+}
+
 Section check_summary_section(const DocumentView& document, const Language& say) {
   Section section{"summary", say("verification.summary"), "", {}};
   Headlines headlines = check_headlines(document, say);
   if (!headlines.items.empty()) section.blocks.emplace_back(std::move(headlines));
   if (!has_check(document)) {
     section.blocks.emplace_back(Paragraph{say("check.history_only")});
+    section.blocks.emplace_back(last_values_table(document, say));
     return section;
   }
   section.blocks.push_back(check_tests_table(document, say));
@@ -193,8 +217,8 @@ Notice drift_notice(const TrendHistory& trend, const Language& say) {
 Table rules_table(const DocumentView& trend, const Language& say) {
   Table table;
   table.caption = say("check.broken_rules");
-  table.columns = {{say("check.check"), ColumnKind::text},
-                   {say("check.date"), ColumnKind::text},
+  table.columns = {{say("check.check"), ColumnKind::word},
+                   {say("check.date"), ColumnKind::word},
                    {say("check.rule_column"), ColumnKind::prose}};
   const TrendHistory history = trend_history(trend, say);
   for (const BrokenRule& rule : broken_rules(trend, say)) {
@@ -212,8 +236,8 @@ Table history_table(const TrendHistory& trend, const Language& say) {
   constexpr std::size_t kShown = 8;
   Table table;
   table.caption = say("check.history");
-  table.columns = {{say("check.check"), ColumnKind::text},
-                   {say("check.date"), ColumnKind::text},
+  table.columns = {{say("check.check"), ColumnKind::word},
+                   {say("check.date"), ColumnKind::word},
                    {say("verification.value_mm")}};
   for (auto each = trend.checks.rbegin(); each != trend.checks.rend(); ++each) {
     table.rows.push_back(
@@ -244,6 +268,18 @@ Facts head_of(const DocumentView& document, const Language& say) {
   if (const auto saved = document.number_if("saved_as")) {
     head.rows.emplace_back(say("check.saved_as"), whole(*saved));
   }
+  const auto add_mm = [&](const char* label, const char* key) {
+    const auto value = document.number_if(key);
+    if (!value || *value == 0.0) return;
+    head.rows.emplace_back(say(label), fmt::format("{} mm", mm_text(value)));
+  };
+  add_mm("check.certified_diameter", "diameter_mm");
+  add_mm("check.tip_diameter", "tip_diameter_mm");
+  add_mm("check.certified_length", "length_mm");
+  if (const auto temperature = document.number_if("temperature_C")) {
+    head.rows.emplace_back(say("check.temperature"), fmt::format("{:g} \u00b0C", *temperature));
+  }
+  head.rows.emplace_back(say("check.note"), document.text_if("note").value_or(""));
   return head;
 }
 

@@ -116,10 +116,25 @@ TEST(CheckPage, StandsWithoutHistoryAndWithoutCheck) {
   EXPECT_THAT(words_of(page), Not(HasSubstr("Values against their limits")));
 
   look.trends = {testing::weekly_checks({0.00, 0.01, 0.00, 0.01, 0.06})};
-  EXPECT_EQ(check_page_of_example(look).stamp.word, "Limit exceeded");
+  const Page exceeded = check_page_of_example(look);
+  EXPECT_EQ(exceeded.stamp.word, "Limit exceeded");
+  EXPECT_THAT(exceeded.stamp.sentence, HasSubstr("At the last check a limit was exceeded"));
+  EXPECT_THAT(words_of(exceeded), HasSubstr("0.0600 | 0.0500 | 5 | "));
 
   // One check: no centre line, no drift.
   EXPECT_THAT(words_of(check_page_of_example(check_example({0.01}))), HasSubstr("too few checks"));
+}
+
+TEST(CheckPage, SaysWhatTheCheckWasHeldAgainst) {
+  CheckSummary summary = check_example({});
+  summary.options.length_mm = 500.0012;
+  summary.temperature_C = 20.8;
+  summary.note = "after the move";
+  const std::string words = words_of(check_page_of_example(summary));
+  EXPECT_THAT(words, HasSubstr("Certified length: 500.0012 mm\n"));
+  EXPECT_THAT(words, HasSubstr("Temperature: 20.8 \u00b0C\n"));
+  EXPECT_THAT(words, HasSubstr("Note: after the move\n"));
+  EXPECT_THAT(words, Not(HasSubstr("Tip diameter")));
 }
 
 TEST(CheckPage, RefusesATimeThatIsNone) {

@@ -201,9 +201,10 @@ Page drawn_arms(const DocumentView& document, const Language& say) {
 // --- methods on the readings of a session
 
 std::vector<Cell> session_row(const DocumentView& method, std::size_t number, const Language& say) {
-  std::vector<Cell> row = {
-      {fmt::format("{}", number)}, {title_in(method, say)}, {whole(method.number("parameters"))}};
   const bool has_figures = method.has("fitted") && method.has("held_out");
+  std::vector<Cell> row = {{fmt::format("{}", number)},
+                           {title_in(method, say)},
+                           {has_figures ? whole(method.number("parameters")) : ""}};
   if (!has_figures) {
     row.resize(8);
   } else {
@@ -215,7 +216,7 @@ std::vector<Cell> session_row(const DocumentView& method, std::size_t number, co
     const auto over_stated = judged.number_if("over_stated");
     row.push_back({over_stated ? ratio_cell(*over_stated) : ""});
   }
-  row.push_back({seconds_cell(method.number("seconds"))});
+  row.push_back({has_figures ? seconds_cell(method.number("seconds")) : ""});
   row.push_back({comparison_remark(method, say)});
   return row;
 }

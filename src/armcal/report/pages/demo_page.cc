@@ -24,7 +24,7 @@ Table table2_of(const DocumentView& document, const Language& say) {
                    {say("demo.printed")},
                    {say("demo.literal")},
                    {say("demo.consistent")},
-                   {say("parameters.unit"), ColumnKind::text}};
+                   {say("parameters.unit"), ColumnKind::word}};
   const DocumentView printed = document["table2"];
   for (const auto& [name, ignored] : printed.json().items()) {
     const auto cell = [&](const char* key) {

@@ -25,8 +25,8 @@ Figure deviations_figure(const std::vector<double>& deviations_mm, const Deviati
     series.y.push_back(deviations_mm[i]);
     series.labels.push_back(say(words.point, i + 1));
   }
-  if (!deviations_mm.empty()) {
-    const auto [low, high] = std::minmax_element(deviations_mm.begin(), deviations_mm.end());
+  const auto [low, high] = std::minmax_element(deviations_mm.begin(), deviations_mm.end());
+  if (low != deviations_mm.end() && *low < 0.0) {
     chart.lines = {{false, *high, say("sphere_test.largest"), Tone::neutral},
                    {false, *low, say("sphere_test.smallest"), Tone::neutral},
                    {false, 0.0, "", Tone::neutral}};

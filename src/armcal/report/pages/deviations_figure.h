@@ -16,7 +16,8 @@ struct DeviationWords {
   std::string point;  ///< key of the name of a point, with {0} for its number from 1
 };
 
-/// Deviations of points in their order, mm, with lines at the largest and the smallest.
+/// Deviations of points in their order, mm. Where some are negative, with lines at the largest and
+/// the smallest; distances without a sign need none.
 [[nodiscard]] Figure deviations_figure(const std::vector<double>& deviations_mm,
                                        const DeviationWords& words, const Language& say);
 

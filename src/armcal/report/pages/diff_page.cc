@@ -33,7 +33,7 @@ Table changes_table(const DocumentView& document, const Language& say) {
                    {say("diff.after")},
                    {say("parameters.change")},
                    {"u"},
-                   {say("parameters.unit"), ColumnKind::text},
+                   {say("parameters.unit"), ColumnKind::word},
                    {say("diff.ratio")},
                    {say("compare.remark"), ColumnKind::prose}};
   for (const DocumentView& change : document.list("changes")) {
@@ -84,6 +84,9 @@ Page diff_page(const DocumentView& document, const Language& say) {
                     [](const DocumentView& change) { return change.flag("changed"); });
   Page page;
   page.title = say("diff.title");
+  if (document.has("before")) {
+    page.subtitle = fmt::format("{} \u2192 {}", document.text("before"), document.text("after"));
+  }
   page.stamp = changed == 0 ? Stamp{say("diff.same"), say("diff.same_sentence"), Tone::good}
                             : Stamp{say("diff.different"), say("diff.different_sentence", changed),
                                     Tone::warning};

@@ -42,7 +42,7 @@ class ValueTable {
     table_.columns = {{say("fit.quantity"), ColumnKind::text},
                       {say("fit.value")},
                       {"u"},
-                      {say("parameters.unit"), ColumnKind::text}};
+                      {say("parameters.unit"), ColumnKind::word}};
     table_.note = say("fit.values_note");
   }
 
@@ -79,6 +79,13 @@ const char* element_of(const DocumentView& document) {
   return document.has("direction") ? "line" : "plane";
 }
 
+// Residuals of circles and lines are distances in space, without a sign.
+const char* in_order_key(const std::vector<double>& residuals_mm) {
+  const bool any_inside =
+      std::any_of(residuals_mm.begin(), residuals_mm.end(), [](double each) { return each < 0.0; });
+  return any_inside ? "fit.in_order_text" : "fit.in_order_unsigned";
+}
+
 Headline length_headline(const std::string& label, double value_mm, const std::string& note) {
   return {label, fixed(value_mm, 4), "mm", note, Tone::neutral};
 }
@@ -111,8 +118,13 @@ Page fit_page(const DocumentView& document, const Language& say) {
   page.title = say(fmt::format("fit.title.{}", element));
   Headlines headlines;
   if (document.has("radius_mm")) {
-    headlines.items.push_back(
-        length_headline(say("fit.radius"), document.number("radius_mm"), say("fit.radius_note")));
+    Headline radius =
+        length_headline(say("fit.radius"), document.number("radius_mm"), say("fit.radius_note"));
+    const auto uncertainties = uncertainties_of(document);
+    if (const auto u = uncertainties.find("radius"); u != uncertainties.end()) {
+      radius.value = fixed(document.number("radius_mm"), decimals_for_uncertainty(u->second));
+    }
+    headlines.items.push_back(std::move(radius));
   }
   headlines.items.push_back(length_headline(say(fmt::format("fit.form.{}", element)),
                                             document.number("form_mm"), say("fit.form_note")));
@@ -123,14 +135,14 @@ Page fit_page(const DocumentView& document, const Language& say) {
                              Tone::neutral});
   page.sections.push_back(
       {"summary", say("compare.summary"), "", {headlines, element_table(document, say)}});
-  const DeviationWords words{say("sphere_test.in_order"), say("fit.in_order_text"),
+  const std::vector<double> residuals_mm = document.numbers("residuals_mm");
+  const DeviationWords words{say("sphere_test.in_order"), say(in_order_key(residuals_mm)),
                              say("sphere_test.point_axis"), say("sphere_test.deviation_axis"),
                              "sphere_test.point"};
-  page.sections.push_back(
-      {"points",
-       say("sphere_test.points_title"),
-       "",
-       {Figures{{deviations_figure(document.numbers("residuals_mm"), words, say)}}}});
+  page.sections.push_back({"points",
+                           say("sphere_test.points_title"),
+                           "",
+                           {Figures{{deviations_figure(residuals_mm, words, say)}}}});
   return page;
 }
 
@@ -157,11 +169,20 @@ Page registration_page(const DocumentView& document, const Language& say) {
   ValueTable translation(document, say);
   translation.add_vector(say("register.translation"), "translation_mm", "", kDecimalsOfLengths,
                          "mm");
+  if (document.has("roll_pitch_yaw_deg")) {
+    const std::vector<double> angles = document.numbers("roll_pitch_yaw_deg");
+    if (angles.size() != 3) document["roll_pitch_yaw_deg"].complain("is no three angles");
+    constexpr std::array kAngles = {"register.roll", "register.pitch", "register.yaw"};
+    for (std::size_t i = 0; i < 3; ++i) {
+      translation.add(say(kAngles[i]), angles[i], "", kDecimalsOfLengths, "deg");
+    }
+  }
   translation.add(say("register.scale"), document.number("scale"), "scale", kDecimalsOfDirections,
                   "");
+  const bool is_scaled = document.number("scale") != 1.0;
   page.sections.push_back({"summary",
                            say("compare.summary"),
-                           say("register.lead"),
+                           say(is_scaled ? "register.lead_scaled" : "register.lead"),
                            {headlines, rotation, translation.take()}});
   const DeviationWords words{say("register.in_order"), "", say("register.pair_axis"),
                              say("register.distance_axis"), "register.pair"};

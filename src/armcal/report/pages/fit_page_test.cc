@@ -24,6 +24,7 @@ namespace {
 
 using testing::document_of;
 using ::testing::HasSubstr;
+using ::testing::Not;
 using testing::page_in;
 using testing::words_of;
 
@@ -57,6 +58,8 @@ TEST(FitPage, HasValuesRoundedToTheirUncertainty) {
   EXPECT_THAT(words_of(page),
               HasSubstr("Radius | " + fixed(fit.radius_mm, decimals) + " | " + fixed(u, decimals)));
   EXPECT_THAT(words_of(page), HasSubstr("21 degrees of freedom"));
+  const auto& headlines = std::get<Headlines>(page.sections.at(0).blocks.at(0)).items;
+  EXPECT_EQ(headlines.at(0).value, fixed(fit.radius_mm, decimals));
 }
 
 TEST(FitPage, TellsElementsApart) {
@@ -69,10 +72,30 @@ TEST(FitPage, TellsElementsApart) {
             "Best-fit line");
 }
 
+// Residuals of circles and lines are distances in space: their largest minus smallest is no form.
+TEST(FitPage, DrawsNoLinesAtTheEndsOfDistancesWithoutASign) {
+  const auto figure_of = [](const Json& document) {
+    const Page page = page_in("en", document);
+    return std::get<Figures>(testing::section_of(page, "points").blocks.at(0)).items.at(0);
+  };
+  const Figure line = figure_of(document_of("fit", json_result(fit_line(noisy_sphere()))));
+  EXPECT_THAT(line.svg, Not(HasSubstr("smallest")));
+  EXPECT_THAT(line.text, HasSubstr("Distance in space"));
+  const Figure sphere = figure_of(document_of_sphere());
+  EXPECT_THAT(sphere.svg, HasSubstr("smallest"));
+  EXPECT_THAT(sphere.text, HasSubstr("the form error is"));
+}
+
 TEST(FitPage, OfARegistrationHasRotationTranslationAndPairs) {
   const Json document = document_of_pairs();
   const std::string words = words_of(page_in("en", document));
   EXPECT_THAT(words, HasSubstr("Translation x | "));
+  EXPECT_THAT(words, HasSubstr("second = rotation \u00b7 first + translation"));
+  const double yaw_deg = document["roll_pitch_yaw_deg"][2].get<double>();
+  EXPECT_THAT(words, HasSubstr("Yaw (about z) | " + fixed(yaw_deg, 6)));
+  Json scaled = document;
+  scaled["scale"] = 1.0001;
+  EXPECT_THAT(words_of(page_in("en", scaled)), HasSubstr("second = scale \u00b7 rotation"));
   EXPECT_THAT(words, HasSubstr(fixed(document["rotation"][0][0].get<double>(), 9) + " | " +
                                fixed(document["rotation"][0][1].get<double>(), 9)));
   EXPECT_THAT(words, HasSubstr(fixed(document["max_mm"].get<double>(), 4) + " mm"));

@@ -29,6 +29,8 @@ Json document() {
   result["length_error_mm"] = 0.00448;
   result["least_redundancy"] = 0.152;
   result["candidates"] = 1365;
+  result["wishes"] = {
+      {"u_mm", 0.0042}, {"u_encoder_arcsec", 2.0}, {"repeats", 5}, {"grid_deg", 45.0}};
   result["parameters"] = {{{"name", "b3"}, {"unit", "mm"}, {"u", 0.00312}},
                           {{"name", "alpha3"}, {"unit", "rad"}, {"u", 2.1e-6}}};
   result["readings"] = Json::array();
@@ -49,10 +51,14 @@ Json document() {
 }
 
 TEST(HalfTurnPlanPage, TellsWhatIsPromisedAndWhatHasToBeRead) {
-  const std::string words = words_of(page_in("en", document()));
+  const Page page = page_in("en", document());
+  EXPECT_EQ(page.subtitle, testing::nominal_romer().name);
+  const std::string words = words_of(page);
   EXPECT_THAT(words, HasSubstr("4.48"));  // um: the predicted error of a length
   EXPECT_THAT(words,
-              HasSubstr("h01 | 1 | 90.0  0.0  -90.0  0.0  90.0  0.0 | 1742.396 | 0.0060 | 0.351"));
+              HasSubstr("h01 | q1 | -90 | 90 | 0 | -90 | 0 | 90 | 0 | 1742.396 | 0.0060 | 0.351"));
+  EXPECT_THAT(words, HasSubstr("u of a distance: 0.0042 mm\nu of an encoder: 2\u2033\n"
+                               "Readings at each end: 5\nAngles are multiples of: 45\u00b0\n"));
   EXPECT_THAT(words, HasSubstr("b3 | 0.0031 | mm"));
   EXPECT_THAT(words, HasSubstr("alpha3 | 0.00012 | deg"));
 }

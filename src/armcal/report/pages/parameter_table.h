@@ -13,5 +13,7 @@ namespace armcal {
 /// uncertainty; angles in deg, harmonics in urad. Held ones that are 0 are left out, which a note
 /// says.
 [[nodiscard]] Table parameter_table(const DocumentView& document, const Language& say);
+/// The same of readings that were looked at before a calibration: there is no value, no change.
+[[nodiscard]] Table expected_parameter_table(const DocumentView& document, const Language& say);
 
 }  // namespace armcal

@@ -47,7 +47,8 @@ Headlines probe_headlines(const DocumentView& document, const Language& say) {
       {say("probe.change"), mm_text(document.number("change_mm")), "mm",
        say("probe.change_note", fixed(document.number("change_in_u"), 1)), Tone::neutral},
       {say("probe.residuals"), mm_text(group.number("rms_mm")), "mm",
-       say("probe.residuals_note", whole(group.number("count"))), Tone::neutral},
+       say("probe.residuals_note", whole(group.number("count")), mm_text(group.number("max_mm"))),
+       Tone::neutral},
       {say("calibration.sigma0"), fixed(document.number("sigma0"), 2), "",
        scatters_more(document) ? say("probe.scatters_more")
                                : say("calibration.sigma0_note", whole(document.number("dof"))),
@@ -108,6 +109,22 @@ Figure change_figure(const DocumentView& document, const Language& say) {
   return figure_of(chart);
 }
 
+Facts stated_of(const DocumentView& document, const Language& say) {
+  Facts facts;
+  if (!document.has("stated")) return facts;
+  const DocumentView stated = document["stated"];
+  const auto add = [&](const char* label, const char* key, const char* unit) {
+    const auto value = stated.number_if(key);
+    if (!value || *value == 0.0) return;
+    facts.rows.emplace_back(say(label), fmt::format("{:g}{}", *value, unit));
+  };
+  add("probe.sphere", "sphere_diameter_mm", " mm");
+  add("probe.tip_diameter", "tip_diameter_mm", " mm");
+  add("probe.stated_u", "u_mm", " mm");
+  add("probe.stated_u_encoder", "u_encoder_arcsec", "\u2033");
+  return facts;
+}
+
 }  // namespace
 
 Page probe_page(const DocumentView& document, const Language& say) {
@@ -117,8 +134,8 @@ Page probe_page(const DocumentView& document, const Language& say) {
   page.subtitle = document.text("arm_name");
   page.stamp = probe_stamp(document, say);
   Section summary{"summary", say("verification.summary"), "", {}};
-  summary.blocks = {probe_headlines(document, say), probe_tip_table(document, say),
-                    Figures{{change_figure(document, say)}}};
+  summary.blocks = {probe_headlines(document, say), stated_of(document, say),
+                    probe_tip_table(document, say), Figures{{change_figure(document, say)}}};
   page.sections = {std::move(summary)};
   return page;
 }

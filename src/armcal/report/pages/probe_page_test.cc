@@ -21,7 +21,11 @@ using testing::words_of;
 Json document_with_probe(const Json& limit_mm, const std::string& verdict) {
   Json result;
   result["arm_name"] = "arm 7";
-  result["groups"] = {{{"name", "stylus"}, {"count", 25}, {"rms_mm", 0.0049}}};
+  result["groups"] = {{{"name", "stylus"}, {"count", 25}, {"rms_mm", 0.0049}, {"max_mm", 0.0123}}};
+  result["stated"] = {{"sphere_diameter_mm", 15.8754},
+                      {"tip_diameter_mm", 6.0},
+                      {"u_mm", 0.02},
+                      {"u_encoder_arcsec", 0.0}};
   result["dof"] = 72;
   result["sigma0"] = 0.28;
   result["chi2_probability"] = 1.0;
@@ -48,6 +52,9 @@ Json document_with_probe(const Json& limit_mm, const std::string& verdict) {
 TEST(ProbePage, ShowsTheTipBeforeAndAfterRoundedToItsUncertainty) {
   const Page page = page_in("en", document_with_probe(0.03, "pass"));
   EXPECT_EQ(page.stamp.word, "Qualified");
+  EXPECT_THAT(words_of(page), HasSubstr("25 readings; largest 0.0123 mm"));
+  EXPECT_THAT(words_of(page), HasSubstr("Diameter of the sphere: 15.8754 mm\nTip diameter: 6 mm\n"
+                                        "Stated u of a point: 0.02 mm\n"));
   EXPECT_THAT(page.stamp.sentence, HasSubstr("another stylus, or a bent one"));
   EXPECT_THAT(words_of(page),
               HasSubstr("a7 | -25.9620 | -25.9215 | 0.0405 | 0.0086 | 0.0172 | 4.7 | 120 | "));
@@ -55,7 +62,7 @@ TEST(ProbePage, ShowsTheTipBeforeAndAfterRoundedToItsUncertainty) {
 
 TEST(ProbePage, MarksACoordinateThatTheReadingsShowBadly) {
   const Page page = page_in("en", document_with_probe(0.03, "pass"));
-  const auto& table = std::get<Table>(page.sections.at(0).blocks.at(1));
+  const auto& table = std::get<Table>(page.sections.at(0).blocks.at(2));
   EXPECT_EQ(table.rows[0].back().tone, Tone::neutral);
   EXPECT_EQ(table.rows[1].back().tone, Tone::warning);
 }

@@ -81,6 +81,7 @@ Facts facts_of(const DocumentView& document, const Language& say) {
   const auto mm = [](const std::string& number) { return fmt::format("{} mm", number); };
   Facts facts;
   facts.rows = {
+      {say("check.arm"), document.text_if("arm").value_or("")},
       {say("sphere_test.certified"), mm(mm_text(document.number("certified_diameter_mm")))},
       {say("sphere_test.diameter"), mm(mm_text(document.number("diameter_mm"), u))},
       {say("sphere_test.relative"),

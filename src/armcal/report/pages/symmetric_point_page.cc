@@ -13,6 +13,7 @@
 #include "armcal/report/number_format.h"
 #include "armcal/report/pages/arm_of.h"
 #include "armcal/report/pages/posture_figures.h"
+#include "armcal/report/pages/verdict_words.h"
 #include "armcal/report/shown_number.h"
 
 namespace armcal {
@@ -51,7 +52,13 @@ std::string joined(const std::vector<std::string>& names, const Language& say,
 
 Stamp symmetric_stamp(const DocumentView& document, const Language& say) {
   if (document.flag("consistent")) {
-    return {say("symmetric.consistent"), say("symmetric.consistent_sentence"), Tone::good};
+    const auto readings = document.list("readings");
+    if (std::none_of(readings.begin(), readings.end(), is_checked)) {
+      return {say("symmetric.unproven"), say("symmetric.unproven_sentence"), Tone::warning};
+    }
+    std::vector<std::string> sentences = {say("symmetric.consistent_sentence")};
+    if (!document.list("claims").empty()) sentences.push_back(say("symmetric.claims_agree"));
+    return {say("symmetric.consistent"), run_on(sentences, say), Tone::good};
   }
   return {say("symmetric.contradicted"), say("symmetric.contradicted_sentence"), Tone::bad};
 }
@@ -89,6 +96,10 @@ Headlines symmetric_headlines(const DocumentView& document, const Language& say)
        say("symmetric.checked_note", checked, whole(document.number("dof"))), Tone::neutral},
       {say("symmetric.parameters"), whole(document.number("rank")), "",
        say("symmetric.condition_note", condition_text(document.number_if("condition_number"))),
+       Tone::neutral},
+      {say("symmetric.chi2"), fixed(document.number("chi2"), 2), "",
+       say("symmetric.chi2_note", whole(document.number("dof")),
+           fmt::format("{:.2g}", document.number("chi2_probability"))),
        Tone::neutral},
       {say("symmetric.flagged"), fmt::format("{}", failing), "", say("symmetric.flagged_note"),
        failing > 0 ? Tone::bad : Tone::neutral}};
@@ -224,11 +235,12 @@ Table symmetric_parameters(const DocumentView& document, const Language& say) {
   Table table;
   table.caption = say("symmetric.parameters_caption");
   table.columns = {{say("parameters.name"), ColumnKind::text},
+                   {say("parameters.nominal")},
                    {say("symmetric.chain")},
                    {"u"},
                    {say("symmetric.adjusted")},
                    {"u"},
-                   {say("parameters.unit"), ColumnKind::text}};
+                   {say("parameters.unit"), ColumnKind::word}};
   const DocumentView chain = document["chain"];
   const DocumentView chain_u = document["chain_u"];
   const DocumentView adjusted = document["adjusted"];
@@ -236,12 +248,13 @@ Table symmetric_parameters(const DocumentView& document, const Language& say) {
     const DocumentView value = adjusted[name];
     const double u = value.number("u");
     const int decimals = decimals_for_uncertainty(u);
-    std::vector<Cell> row = {{name}, {"\u2013"}, {"\u2013"}};
+    std::vector<Cell> row = {
+        {name}, {text_if(value.number_if("nominal"), decimals)}, {"\u2013"}, {"\u2013"}};
     if (chain.has(name)) {
       const double u_chain = chain_u.number(name);
       const int places = decimals_for_uncertainty(u_chain);
-      row[1].text = fixed(chain.number(name), places);
-      row[2].text = fixed(u_chain, places);
+      row[2].text = fixed(chain.number(name), places);
+      row[3].text = fixed(u_chain, places);
     }
     row.push_back({fixed(value.number("value"), decimals)});
     row.push_back({fixed(u, decimals)});
@@ -266,7 +279,7 @@ Table readings_of(const DocumentView& document, const Language& say) {
                    {say("symmetric.joint")},
                    {say("symmetric.value")},
                    {"u"},
-                   {say("parameters.unit"), ColumnKind::text},
+                   {say("parameters.unit"), ColumnKind::word},
                    {say("symmetric.by_arm_file")},
                    {say("symmetric.predicted")},
                    {say("symmetric.residual")},
@@ -290,7 +303,50 @@ Table readings_of(const DocumentView& document, const Language& say) {
                           {text_if(amount_if(reading, "smallest_detectable"), decimals)},
                           check_cell(reading, say)});
   }
-  table.note = say("symmetric.readings_note");
+  table.note = document.has("power")
+                   ? say("symmetric.readings_note_power", percent_text(document.number("power")),
+                         percent_text(document.number("significance"), 1))
+                   : say("symmetric.readings_note");
+  return table;
+}
+
+// Where a reading came as points: what its two ends, its arc or its search gave.
+Table reductions_of(const DocumentView& document, const Language& say) {
+  Table table;
+  table.caption = say("symmetric.reductions_caption");
+  table.columns = {{say("symmetric.reading"), ColumnKind::text},
+                   {say("symmetric.points_of")},
+                   {say("symmetric.scatter")},
+                   {say("symmetric.turned")},
+                   {say("symmetric.slip")},
+                   {say("symmetric.u_type_a")}};
+  for (const DocumentView& reduction : document.list("reductions")) {
+    std::vector<Cell> row = {{reduction.text("reading")}};
+    if (reduction.has("end_a")) {
+      const DocumentView a = reduction["end_a"];
+      const DocumentView b = reduction["end_b"];
+      row.push_back({fmt::format("{} + {}", whole(a.number("count")), whole(b.number("count")))});
+      row.push_back({fmt::format("{} / {}", text_if(a.number_if("s_mm"), 4),
+                                 text_if(b.number_if("s_mm"), 4))});
+      row.push_back({fixed(reduction.number("half_turn_deg"), 3)});
+      row.push_back({fixed(reduction.number("largest_slip_deg"), 4)});
+    } else if (reduction.has("arc")) {
+      row.push_back({whole(reduction["arc"].number("count"))});
+      row.push_back({fixed(reduction["arc"].number("rms_mm"), 4)});
+      row.insert(row.end(), {{"\u2013"}, {"\u2013"}});
+    } else {
+      const std::size_t settings =
+          reduction.has("zero_search") ? reduction["zero_search"].list("settings").size() : 0;
+      row.push_back({whole(static_cast<double>(settings))});
+      row.insert(row.end(), {{"\u2013"}, {"\u2013"}, {"\u2013"}});
+    }
+    const bool is_angle = reduction.has("zero_search");
+    row.push_back({is_angle
+                       ? fmt::format("{} deg", fixed(reduction["zero_search"].number("u_deg"), 4))
+                       : fmt::format("{} mm", fixed(reduction.number("u_type_a"), 4))});
+    table.rows.push_back(std::move(row));
+  }
+  table.note = say("symmetric.reductions_note");
   return table;
 }
 
@@ -311,7 +367,7 @@ std::optional<Table> claims_of(const DocumentView& document, const Language& say
                    {say("symmetric.claimed")},
                    {say("symmetric.readings_give")},
                    {say("symmetric.difference")},
-                   {say("parameters.unit"), ColumnKind::text},
+                   {say("parameters.unit"), ColumnKind::word},
                    {say("symmetric.verdict"), ColumnKind::text},
                    {say("symmetric.contradicted_by"), ColumnKind::text},
                    {say("symmetric.reconciled_by")}};
@@ -418,6 +474,9 @@ Page symmetric_point_page(const DocumentView& document, const Language& say) {
   }
   page.sections.push_back(
       {"readings", say("symmetric.readings"), "", {readings_of(document, say)}});
+  if (!document.list("reductions").empty()) {
+    page.sections.back().blocks.emplace_back(reductions_of(document, say));
+  }
   if (document.has("nominal_arm")) {
     page.sections.push_back({"postures",
                              say("symmetric.postures"),

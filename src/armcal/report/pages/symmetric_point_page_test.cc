@@ -54,11 +54,28 @@ TEST(SymmetricPointPage, AccusesNoReadingThatCannotBeToldFromOthers) {
   const Page page = page_in("en", document_with_readings(104.700, 178.483, false));
   const auto& headlines = std::get<Headlines>(page.sections.at(0).blocks.at(0)).items;
   EXPECT_EQ(headlines.at(0).note, "3 of them are checked by others; degrees of freedom: 1");
-  EXPECT_EQ(headlines.at(2).value, "1");
+  EXPECT_EQ(headlines.at(2).note, "degrees of freedom: 1; probability 7e-194");
+  EXPECT_EQ(headlines.at(3).value, "1");
   const std::string words = words_of(page);
   EXPECT_THAT(words, HasSubstr("The one check that l_PP1, l_PP2, R give each other fails"));
   EXPECT_THAT(words, HasSubstr("these readings cannot tell which"));
   EXPECT_THAT(words, Not(HasSubstr("does not agree with the other readings")));
+}
+
+// As many readings as parameters agree with anything.
+TEST(SymmetricPointPage, CallsNothingConsistentThatNothingChecks) {
+  Json document = document_with_readings(78.312, 178.483, false);
+  document["consistent"] = true;
+  document["claims"] = Json::array();
+  EXPECT_EQ(page_in("en", document).stamp.sentence,
+            "No reading that others check fails its check.");
+  for (Json& reading : document["readings"]) {
+    reading["normalised"] = nullptr;
+    reading["flagged"] = false;
+  }
+  const Page page = page_in("en", document);
+  EXPECT_EQ(page.stamp.word, "Not checked");
+  EXPECT_EQ(page.stamp.tone, Tone::warning);
 }
 
 TEST(SymmetricPointPage, WritesADashWhereNoConditionNumberIsFinite) {

@@ -79,6 +79,7 @@ Page tips_page(const DocumentView& document, const Language& say) {
   }
   Page page;
   page.title = say("tips.title");
+  page.subtitle = document.text_if("calibration").value_or(document.text_if("arm").value_or(""));
   Headlines headlines;
   headlines.items.push_back(
       {say("tips.postures"), whole(static_cast<double>(tips.cols())), "", "", Tone::neutral});

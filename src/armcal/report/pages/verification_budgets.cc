@@ -53,7 +53,7 @@ Table table_of_contributions(const Language& say) {
                    {say("verification.budget.of"), ColumnKind::text},
                    {say("verification.budget.contribution"), ColumnKind::text},
                    {say("verification.budget.u_of_input")},
-                   {say("verification.budget.unit"), ColumnKind::text},
+                   {say("verification.budget.unit"), ColumnKind::word},
                    {say("verification.budget.sensitivity")},
                    {say("verification.budget.u_of_result")}};
   table.shown = kShown;

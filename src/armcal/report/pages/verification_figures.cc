@@ -135,7 +135,7 @@ Figure part_figure(const VerifiedRow& row, std::size_t number, bool has_both, co
   chart.title = row.title;
   chart.text = say(over_length ? "verification.over_length" : "verification.over_parts");
   chart.x.label = say(over_length ? "verification.length_axis" : "verification.part_axis");
-  chart.y.label = say("verification.value_axis");
+  chart.y.label = row.part_axis;
   chart.y.low = 0.0;
   chart.y.high = 0.0;
   chart.nothing = say("verification.no_values");

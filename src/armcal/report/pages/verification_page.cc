@@ -9,6 +9,7 @@
 #include <set>
 
 #include "armcal/report/number_format.h"
+#include "armcal/report/pages/phrase_book.h"
 #include "armcal/report/pages/verdict_words.h"
 #include "armcal/report/pages/verification_budgets.h"
 #include "armcal/report/pages/verification_figures.h"
@@ -134,12 +135,23 @@ Headlines verification_headlines(const std::vector<VerifiedRow>& rows, const Doc
 
 Notice incomplete_notice(const std::vector<VerifiedRow>& rows, const Language& say) {
   Notice notice{Tone::warning, say("verification.incomplete"), {}};
-  std::set<std::string> told;
+  // Statistics of one test share what it lacks.
+  std::set<std::pair<std::string, std::string>> told;
   for (const VerifiedRow& row : rows) {
     for (const std::string& missing : row.judged.missing) {
-      std::string line = say("verification.missing", row.test, missing);
-      if (told.insert(line).second) notice.lines.push_back(std::move(line));
+      if (!told.emplace(row.test, missing).second) continue;
+      notice.lines.push_back(say("verification.missing", row.title, missing));
     }
+  }
+  return notice;
+}
+
+// A part of the standard is not the standard.
+Notice not_performed_notice(const DocumentView& document, const Language& say) {
+  Notice notice{Tone::warning, say("verification.not_performed"), {}};
+  if (!document.has("not_performed")) return notice;
+  for (const std::string& each : document.texts("not_performed")) {
+    notice.lines.push_back(in_language(each, kVerificationPhrases, say));
   }
   return notice;
 }
@@ -180,6 +192,8 @@ Section verification_summary_section(const DocumentView& document,
   section.blocks.push_back(verification_headlines(rows, document, say));
   Notice incomplete = incomplete_notice(rows, say);
   if (!incomplete.lines.empty()) section.blocks.emplace_back(std::move(incomplete));
+  Notice absent = not_performed_notice(document, say);
+  if (!absent.lines.empty()) section.blocks.emplace_back(std::move(absent));
   const double k = document["decision"].number("coverage_factor");
   section.blocks.push_back(tests_table(rows, have_as_left(rows), k, say));
   return section;
@@ -198,12 +212,22 @@ Section judgement_section(const DocumentView& document, const std::vector<Verifi
   return section;
 }
 
+std::optional<Section> artefacts_section(const DocumentView& document, const Language& say) {
+  Table artefacts = artefacts_table(document, say);
+  if (artefacts.rows.empty()) return std::nullopt;
+  Section section{"artefacts", say("verification.artefacts_title"), "", {std::move(artefacts)}};
+  const DocumentView environment = document["environment"];
+  section.lead = say("verification.temperature", fixed(environment.number("temperature_C"), 1),
+                     fixed(environment.number("u_temperature_K"), 2));
+  return section;
+}
+
 std::optional<Section> values_section(const std::vector<VerifiedRow>& rows, const Language& say) {
   Section section{"values", say("verification.values"), say("verification.values_lead"), {}};
-  Table few = few_parts_table(rows, say);
-  if (!few.rows.empty()) section.blocks.emplace_back(std::move(few));
   Figures figures = part_figures(rows, say);
   if (!figures.items.empty()) section.blocks.emplace_back(std::move(figures));
+  Table parts = parts_table(rows, say);
+  if (!parts.rows.empty()) section.blocks.emplace_back(std::move(parts));
   if (section.blocks.empty()) return std::nullopt;
   return section;
 }
@@ -224,6 +248,9 @@ Page verification_page(const DocumentView& document, const Language& say) {
   page.sections.push_back(verification_summary_section(document, rows, say));
   page.sections.push_back(judgement_section(document, rows, say));
   if (auto values = values_section(rows, say)) page.sections.push_back(std::move(*values));
+  if (auto artefacts = artefacts_section(document, say)) {
+    page.sections.push_back(std::move(*artefacts));
+  }
   if (auto budgets = budgets_section(document, rows, say)) {
     page.sections.push_back(std::move(*budgets));
   }

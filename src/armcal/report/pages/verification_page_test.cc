@@ -27,8 +27,8 @@ TestResult length_errors(const std::vector<double>& errors_mm) {
   result.name = "length error, unidirectional";
   result.standard = "ISO 10360-12:2016";
   result.definition =
-      "measured minus calibrated length, both ends touched from the same direction; of all "
-      "lengths the largest by magnitude";
+      "measured minus calibrated length, both ends touched from the same direction; of all lengths "
+      "the one that takes the largest share of its limit, without a limit the largest by magnitude";
   result.symbol = "E_Uni";
   for (std::size_t i = 0; i < errors_mm.size(); ++i) {
     const double length_mm = 200.0 * static_cast<double>(i + 1);
@@ -140,13 +140,57 @@ TEST(VerificationPage, LeavesAsLeftBlankWhereOnlyAsFoundWasMeasured) {
 TEST(VerificationPage, DrawsEachLengthBetweenItsLimits) {
   const Section values =
       section_of(verification_page_of_example(verification_example(kGood)), "values");
-  ASSERT_EQ(values.blocks.size(), 1u);
+  ASSERT_EQ(values.blocks.size(), 2u);
   const Figure& figure = std::get<Figures>(values.blocks[0]).items.at(0);
   const Json live = Json::parse(figure.live);
   EXPECT_THAT(figure.live, HasSubstr("MPE"));
   // 20 um + 1000/50 um at the longest length, on both sides.
   EXPECT_THAT(figure.live, HasSubstr("0.04"));
   EXPECT_THAT(figure.live, HasSubstr("-0.04"));
+  // Whoever cannot see it reads them below.
+  const Table& table = std::get<Table>(values.blocks[1]);
+  ASSERT_EQ(table.rows.size(), kGood.size());
+  EXPECT_EQ(table.rows[1][1].text, "400 mm at P1, repeat 1");
+  EXPECT_EQ(table.rows[1][2].text, "-0.0040");
+}
+
+// At other lengths the two arms have other limits.
+TEST(VerificationPage, GivesTheArmAsFoundItsOwnLimit) {
+  Verification verification = verification_example({0.002, -0.004, 0.006, 0.011, -0.089});
+  verification.as_left_file = "left.arm.toml";
+  verification.statistics[0].as_left =
+      verification_example({0.023, -0.004, 0.006, 0.011, -0.009}).statistics[0].as_found;
+  const Page page = verification_page_of_example(verification);
+  const std::string words = words_of(page);
+  EXPECT_THAT(words, HasSubstr("As found, mm | MPE as found, mm | As left, mm | MPE, mm"));
+  EXPECT_THAT(words, HasSubstr("-0.0890 | 0.0400 | 0.0230 | 0.0240"));
+  EXPECT_THAT(words, HasSubstr("unidirectional, as found | 1000 mm at P1, repeat 1"));
+  EXPECT_THAT(words, HasSubstr("unidirectional, as left | 200 mm at P1, repeat 1"));
+}
+
+TEST(VerificationPage, SaysWhatWasMeasuredOnAndWhatWasNotTested) {
+  Verification verification = verification_example(kGood);
+  verification.environment = {20.8, 0.3};
+  verification.not_performed = {"articulated location error"};
+  verification.artefacts.resize(2);
+  verification.artefacts[0].name = "ball A";
+  verification.artefacts[0].diameter_mm = 25.40012;
+  verification.artefacts[0].U_mm = 0.0004;
+  verification.artefacts[0].form_mm = 0.0002;
+  verification.artefacts[0].certificate = "DKD 0815";
+  verification.artefacts[1].name = "bar";
+  verification.artefacts[1].is_sphere = false;
+  verification.artefacts[1].expansion_per_K = 11.5e-6;
+  verification.artefacts[1].u_expansion_per_K = 1e-6;
+  verification.artefacts[1].lengths = {{"1", 500.0012, 0.0006}};
+  const Page page = verification_page_of_example(verification);
+  const std::string words = words_of(page);
+  EXPECT_THAT(words, HasSubstr("ball A, diameter | DKD 0815 | 25.40012 | 0.40 | 2 | 0.20 | "));
+  EXPECT_THAT(words, HasSubstr("bar, 1 |  | 500.00120 | 0.60 | 2 | \u2013 | 11.50 \u00b1 1.00"));
+  EXPECT_THAT(words, HasSubstr("20.8 \u00b0C, standard uncertainty 0.30 K"));
+  EXPECT_THAT(words, HasSubstr("not performed\narticulated location error"));
+  EXPECT_THAT(words_of(verification_page_of_example(verification, "zh")),
+              HasSubstr("未进行的标准规定检测项目\n铰接位置误差"));
 }
 
 // A pass with readings missing is no pass of the standard.
@@ -157,7 +201,8 @@ TEST(VerificationPage, WarnsOfWhatIsMissing) {
   result.missing = {"length 200 mm at 1 position, 7 are asked for"};
   const Page page = verification_page_of_example(verification, "zh");
   EXPECT_EQ(page.stamp.tone, Tone::warning);
-  EXPECT_THAT(words_of(page), HasSubstr("length_uni：长度 200 mm 只有 1 个位置，要求 7 个"));
+  EXPECT_THAT(words_of(page),
+              HasSubstr("长度测量误差（单向）：长度 200 mm 只有 1 个位置，要求 7 个"));
   EXPECT_EQ(page.stamp.word, "合格（不完整）");
   EXPECT_THAT(page.stamp.sentence, HasSubstr("缺少标准要求的读数"));
 }

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "armcal/report/html/document_view.h"
 #include "armcal/report/html/language.h"
 #include "armcal/report/html/page.h"
 #include "armcal/report/pages/verification_values.h"
@@ -19,8 +20,12 @@ namespace armcal {
 /// Which part of each statistic decides, and where in the user's files it comes from.
 [[nodiscard]] Table deciding_table(const std::vector<VerifiedRow>& rows, const Language& say);
 
-/// The parts of statistics that have so few that a chart would tell less.
-[[nodiscard]] Table few_parts_table(const std::vector<VerifiedRow>& rows, const Language& say);
+/// Every value that a statistic was found from.
+[[nodiscard]] Table parts_table(const std::vector<VerifiedRow>& rows, const Language& say);
+
+/// What the certificates say of the artefacts, a row for each length; saved before documents had
+/// them: no rows.
+[[nodiscard]] Table artefacts_table(const DocumentView& document, const Language& say);
 
 /// What each statistic is, once for those that share a definition.
 [[nodiscard]] Table definitions_table(const std::vector<VerifiedRow>& rows, const Language& say);

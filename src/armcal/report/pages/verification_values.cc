@@ -12,7 +12,8 @@
 namespace armcal {
 namespace {
 
-constexpr const char* kVerificationPhrases = "verification.phrase";
+// The test whose parts are no values of its own kind, but distances that it is found from.
+constexpr const char* kArticulatedLocation = "articulated location error";
 
 VerifiedPart part_of(const DocumentView& part, const Language& say) {
   return {.name = in_language(part.text("name"), kVerificationPhrases, say),
@@ -53,6 +54,8 @@ VerifiedRow verified_row(const DocumentView& test, const Language& say) {
     row.title = say("verification.title_of_test", row.title, row.test);
   }
   row.definition = in_language(test.text("definition"), kVerificationPhrases, say);
+  row.part_axis =
+      say(name == kArticulatedLocation ? "verification.distance_axis" : "verification.value_axis");
   row.limit = with_micro_sign(test.text_if("limit").value_or(""));
   row.is_signed = test.has("is_signed") && test.flag("is_signed");
   row.judged = value_of(test, say);

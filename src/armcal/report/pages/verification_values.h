@@ -12,6 +12,9 @@
 
 namespace armcal {
 
+/// Where the language files have the phrases of these documents.
+inline constexpr const char* kVerificationPhrases = "verification.phrase";
+
 /// One of the values that a statistic was found from.
 struct VerifiedPart {
   std::string name;   ///< in the language of the reader
@@ -38,6 +41,7 @@ struct VerifiedValue {
 struct VerifiedRow {
   std::string title;  ///< in the language of the reader, with the name that a user gave the test
   std::string test;   ///< as the file calls it
+  std::string part_axis;  ///< what its parts are: "value, mm"
   std::string definition;
   std::string limit;  ///< "20 um + L/50"; empty: none
   bool is_signed = false;

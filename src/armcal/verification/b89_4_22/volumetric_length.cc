@@ -19,7 +19,8 @@ std::vector<TestResult> volumetric_length(std::span<const MeasuredLength> length
   largest.name = "volumetric length, largest error";
   largest.standard = kStandard;
   largest.definition =
-      "measured minus calibrated length; of twenty placements the largest by magnitude";
+      "measured minus calibrated length; of twenty placements the one that takes the largest share "
+      "of its limit, without a limit the largest by magnitude";
   add_unless_as_asked(largest.missing, lengths.size(), kPlacements, "length");
   largest.problems = problems_of(lengths);
 

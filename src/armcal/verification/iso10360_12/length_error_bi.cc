@@ -13,8 +13,8 @@ TestResult length_error_bi(std::span<const MeasuredLength> lengths,
   result.name = "length error, bidirectional";
   result.standard = kStandard;
   result.definition =
-      "measured minus calibrated length, ends touched from opposite directions; of all "
-      "lengths the largest by magnitude";
+      "measured minus calibrated length, ends touched from opposite directions; of all lengths the "
+      "one that takes the largest share of its limit, without a limit the largest by magnitude";
   result.parts = length_errors(lengths);
   result.value_mm = largest_by_magnitude(result.parts);
   result.missing = missing_lengths(lengths, reach_mm);
