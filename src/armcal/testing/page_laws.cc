@@ -147,6 +147,19 @@ void expect_ids_of_their_own(const Page& page) {
   }
 }
 
+// A cell without a column stands under the wrong title.
+void expect_rows_as_wide_as_columns(const Page& page) {
+  for (const Section& section : page.sections) {
+    for (const Block& block : section.blocks) {
+      const auto* table = std::get_if<Table>(&block);
+      if (table == nullptr) continue;
+      for (const std::vector<Cell>& row : table->rows) {
+        EXPECT_EQ(row.size(), table->columns.size()) << section.id << ": " << table->caption;
+      }
+    }
+  }
+}
+
 }  // namespace
 
 void expect_page_laws(const Json& document) {
@@ -154,6 +167,7 @@ void expect_page_laws(const Json& document) {
     const Page page = page_in(language, document);
     EXPECT_FALSE(page.sections.empty());
     expect_ids_of_their_own(page);
+    expect_rows_as_wide_as_columns(page);
   }
   std::vector<Json::json_pointer> paths;
   add_paths(document, Json::json_pointer(), paths);

@@ -51,7 +51,9 @@ std::string angle_text(double deg) {
 Table worksheet_of(const DocumentView& document, const Language& say) {
   Table table;
   table.caption = say("half_turn_plan.worksheet");
-  table.columns = {{say("symmetric.reading"), ColumnKind::text}, {say("half_turn_plan.turned_to")}};
+  table.columns = {{say("symmetric.reading"), ColumnKind::text},
+                   {say("symmetric.joint"), ColumnKind::word},
+                   {say("half_turn_plan.turned_to")}};
   const std::vector<DocumentView> readings = document.list("readings");
   const std::size_t joints = readings.empty() ? 0 : readings.front().numbers("posture_deg").size();
   for (std::size_t j = 1; j <= joints; ++j) table.columns.push_back({fmt::format("q{}", j)});
