@@ -6,6 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "armcal/core/spelling.h"
+
 namespace armcal {
 namespace {
 
@@ -46,24 +48,7 @@ bool is_empty(const Facts& facts) {
 // A line of the command as it can be typed again.
 std::string typed_again(const std::vector<std::string>& words) {
   std::string line = "armcal";
-  for (const std::string& word : words) {
-    const bool plain = !word.empty() && word.find_first_not_of(
-                                            "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
-                                            "0123456789-_=./,:+@%") == std::string::npos;
-    if (plain) {
-      line += fmt::format(" {}", word);
-      continue;
-    }
-    std::string quoted;
-    for (const char c : word) {
-      if (c == '\'') {
-        quoted += "'\\''";
-      } else {
-        quoted += c;
-      }
-    }
-    line += fmt::format(" '{}'", quoted);
-  }
+  for (const std::string& word : words) line += " " + shell_word(word);
   return line;
 }
 
