@@ -106,6 +106,13 @@ struct BlockData {
     inner.set("text", text_data(verbatim.text));
     return kind("verbatim", inner);
   }
+  Data operator()(const Signature& signature) const {
+    Data inner;
+    inner.set("label", text_data(signature.label));
+    inner.set("name", text_data(signature.name));
+    inner.set("role", text_or_false(signature.role));
+    return kind("signature", inner);
+  }
   Data operator()(const Table& table) const {
     ++tables;
     Data columns(Data::type::list);
@@ -149,8 +156,8 @@ struct BlockData {
  private:
   static Data kind(const char* name, const Data& inner) {
     Data block;
-    for (const char* other :
-         {"headlines", "paragraph", "notice", "facts", "table", "figures", "verbatim"}) {
+    for (const char* other : {"headlines", "paragraph", "notice", "facts", "table", "figures",
+                              "verbatim", "signature"}) {
       block.set(other, boolean(false));
     }
     block.set(name, inner);

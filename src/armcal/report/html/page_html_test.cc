@@ -9,6 +9,7 @@
 
 #include "armcal/io/sha256.h"
 #include "armcal/report/document.h"
+#include "armcal/report/html/assets.h"
 
 namespace armcal {
 namespace {
@@ -38,7 +39,8 @@ Page page_of_all_blocks(const std::string& text) {
                                      Facts{{{text, text}}},
                                      table,
                                      figures,
-                                     Verbatim{text}};
+                                     Verbatim{text},
+                                     Signature{text, text, text}};
   return {.title = text,
           .subtitle = text,
           .number = text,
@@ -62,7 +64,7 @@ std::string html_in(const char* language, const Page& page, const std::string& d
 TEST(PageHtml, HasEveryTextOfThePage) {
   // Where `text` stands as an element's content, as the title of the window and in an attribute.
   const std::string html = html_in("en", page_of_all_blocks("one text"));
-  EXPECT_EQ(count(html, "one text"), 38U);
+  EXPECT_EQ(count(html, "one text"), 41U);
   EXPECT_THAT(html, HasSubstr("<svg></svg>"));
 }
 
