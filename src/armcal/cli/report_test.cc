@@ -95,7 +95,9 @@ TEST(Reports, SpeakTheLanguageThatIsAskedFor) {
   EXPECT_THAT(testing::read_bytes(html), HasSubstr("最佳拟合球"));
   const ToolResult unknown = tool(fit_with({"--report", folder.path("x.html"), "--lang", "fr"}));
   EXPECT_EQ(unknown.code, 2);
-  EXPECT_THAT(unknown.err, HasSubstr("en"));
+  EXPECT_EQ(unknown.err,
+            "error: armcal fit: --lang: \"fr\" is none of en, zh\n"
+            "  help: armcal fit --help shows what it takes\n");
   EXPECT_FALSE(exists(folder.path("x.html")));
 }
 
@@ -320,7 +322,14 @@ TEST(Pdf, SaysWhatTheBrowserSaidWhereItFails) {
     const Browser browser(folder, "echo 'first' >&2\necho 'no display today' >&2\nexit 3\n");
     const ToolResult result = tool(fit_with({"--pdf", pdf}));
     EXPECT_EQ(result.code, 5);
-    EXPECT_THAT(result.err, HasSubstr("did not print the report: no display today"));
+    EXPECT_THAT(result.err, HasSubstr("did not print the report: no display today\n  help: write "
+                                      "the report as HTML and print it from any browser"));
+  }
+  {
+    const Browser browser(folder, "exit 3\n");
+    EXPECT_THAT(
+        tool(fit_with({"--pdf", pdf})).err,
+        HasSubstr("did not print the report, and did not say why\n  help: write the report"));
   }
   {
     // It ends well and has printed something else.
