@@ -39,7 +39,9 @@ int run_report(const ReportFlags& flags, const Context& context) {
   if (!flags.extract && !flags.output && !context.report_order.pdf) {
     throw std::invalid_argument("nothing to write: say -o FILE.html, --pdf FILE.pdf or --extract");
   }
-  if (flags.output) check_may_write(*flags.output, context.overwrite);
+  for (const auto& path : {flags.output, context.report_order.pdf}) {
+    if (path) check_may_write(*path, context.overwrite);
+  }
   InputFiles files(context.monitor);
   SavedResult saved = load_saved_result(files, flags.result);
   if (flags.extract) return extract(flags, context, saved.document, files);
