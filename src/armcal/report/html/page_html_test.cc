@@ -166,6 +166,45 @@ TEST(DocumentInHtml, IsNoTextOfThePage) {
             "{\"true\": 1}");
 }
 
+TEST(Sha256InHtml, IsThatOfTheDocumentThatComesBack) {
+  // JSON that is written with escapes of its own comes back without them.
+  for (const std::string& document :
+       {"{}"s, Json{{"text", kHostile}}.dump(2), "{\"a\": \"\\u003cb\\u003e\"}"s}) {
+    const std::string html = html_in("en", page_of_all_blocks(kHostile), document);
+    EXPECT_EQ(sha256_in_html(html), sha256_hex(document_in_html(html).value()));
+  }
+}
+
+// Before it was written, the element had no such attribute.
+TEST(Sha256InHtml, IsNothingInOlderReports) {
+  const std::string older =
+      "<script type=\"application/json\" id=\"armcal-result\">{\"a\": \" data-sha256=\\\"0\\\"\"}"
+      "</script>";
+  EXPECT_EQ(sha256_in_html(older), std::nullopt);
+  EXPECT_TRUE(document_in_html(older).has_value());
+  EXPECT_EQ(sha256_in_html("<html></html>"), std::nullopt);
+}
+
+TEST(LanguageInHtml, IsThatOfTheReport) {
+  for (const std::string& code : Language::codes()) {
+    EXPECT_EQ(language_in_html(html_in(code.c_str(), page_of_all_blocks("<html lang=\"xx\">"))),
+              code);
+  }
+  EXPECT_EQ(language_in_html("<html lang=\"fr\">"), std::nullopt);
+  EXPECT_EQ(language_in_html("<html>"), std::nullopt);
+  EXPECT_EQ(language_in_html("<html lang=\"en"), "en");
+}
+
+TEST(PageHtml, HasALineToSignOnOnPaperOnly) {
+  Page page;
+  page.sections = {{"all", "All", "", {Signature{"Released by", "A. Person", "head"}}}};
+  EXPECT_THAT(html_in("en", page),
+              HasSubstr("<div class=\"signature\"><p class=\"label\">Released by</p><p "
+                        "class=\"line\">A. Person</p><p>head</p></div>"));
+  const std::string style(report_asset("report.css"));
+  EXPECT_GT(style.find(".signature .line"), style.find("@media print"));
+}
+
 TEST(DocumentInHtml, IsNothingInOtherTexts) {
   EXPECT_EQ(document_in_html(""), std::nullopt);
   EXPECT_EQ(document_in_html("<html></html>"), std::nullopt);
