@@ -115,6 +115,26 @@ class Failure {
   bool is_result_out_ = false;
 };
 
+// Flags of a report that has no place, or none that it can go to.
+void check_report_flags(const ReportOrder& order, const std::string& verb) {
+  const auto is_standard_output = [](const auto& path) { return path && *path == "-"; };
+  if (is_standard_output(order.html) || is_standard_output(order.pdf)) {
+    throw std::invalid_argument(
+        is_standard_output(order.pdf)
+            ? "--pdf -: standard output is for the result\n  help: name a file: --pdf FILE.pdf"
+            : "--report -: standard output is for the result\n  help: name a file: --report "
+              "FILE.html");
+  }
+  const bool makes_its_own = verb == "report" || verb == "demo";
+  if (order.is_placed() || makes_its_own) return;
+  for (const auto& [flag, is_given] : {std::pair{"--details", order.details_file.has_value()},
+                                       std::pair{"--lang", order.language.has_value()}}) {
+    if (!is_given) continue;
+    throw std::invalid_argument(
+        fmt::format("{} is for a report: say --report FILE or --pdf FILE too", flag));
+  }
+}
+
 extern "C" void end_as_bug(int /*signal*/) { _exit(kBug); }
 
 }  // namespace
@@ -158,15 +178,12 @@ int run(std::span<const std::string> arguments, const Console& console) {
                   verb,        {arguments.begin(), arguments.end()},
                   flags.report};
   try {
-    const bool makes_its_own = verb == "report" || verb == "demo";
-    if (flags.report.details_file && !flags.report.is_placed() && !makes_its_own) {
-      throw std::invalid_argument(
-          "--details are for a report: say --report FILE or --pdf FILE too");
-    }
+    check_report_flags(flags.report, verb);
     std::optional<ReportWriter> report;
     if (flags.report.is_placed() && verb != "report") {
       report.emplace(flags.report, context.overwrite, monitor);
       context.report = &*report;
+      context.warn(report->diagnostics());
     }
     const int code = parsed.command->run(context);
     console.out.flush();

@@ -121,6 +121,40 @@ TEST(App, GivesDevicesThatFailCode5) {
   EXPECT_EQ(tool({"fk", arm, angles, "-o", "/no/such/folder/x.csv"}).code, kDeviceFailure);
 }
 
+// The work was done, and then lost.
+TEST(App, WantsTheFolderOfEveryOutputBeforeTheWorkBegins) {
+  const TemporaryFolder folder;
+  const std::string arm = testing::example("arms/ur10.arm.toml");
+  const std::string none = folder.path("none.csv");  // would be complained of, were it read
+  for (const auto& line :
+       std::vector<std::vector<std::string>>{{"calibrate", none, "-o"},
+                                             {"calibrate", none, "--save"},
+                                             {"calibrate", none, "--report"},
+                                             {"calibrate", none, "--pdf"},
+                                             {"fk", arm, none, "-o"},
+                                             {"predict", none, none, "-o"},
+                                             {"convert", none, "--to", "urdf", "-o"},
+                                             {"symmetric-point", none, "-o"},
+                                             {"compare", "--markdown"},
+                                             {"plan", "symmetric-point", none, "-o"},
+                                             {"plan", "symmetric-point", none, "--worksheet"},
+                                             {"plan", "verification", none, "--picture"},
+                                             {"check", none, "--length", "400", "--history"},
+                                             {"check", "--history", none, "--export"},
+                                             {"report", none, "-o"},
+                                             {"report", none, "--pdf"},
+                                             {"report", none, "--extract", "-o"},
+                                             {"demo", "--report"}}) {
+    std::vector<std::string> words = line;
+    words.push_back(folder.path("missing/x"));
+    const auto result = tool(words);
+    EXPECT_EQ(result.code, kDeviceFailure) << ::testing::PrintToString(words) << result.err;
+    EXPECT_THAT(result.err, HasSubstr("/missing/x: the folder " + folder.path("missing") +
+                                      " does not exist\n  help: make it first: mkdir -p "));
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder.path("missing")));
+}
+
 // The page of exit codes once promised 5 for these.
 TEST(App, GivesMissingInputAndExistingOutputCode2) {
   const TemporaryFolder folder;

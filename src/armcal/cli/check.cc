@@ -67,6 +67,7 @@ CheckRequest request_of(const CheckFlags& flags) {
 int run_check_command(const CheckFlags& flags, const Context& context) {
   require_sense(flags);
   const CheckRequest request = request_of(flags);
+  if (request.readings && request.history) check_folder_of(*request.history);
   if (flags.export_csv) {
     check_may_write(*flags.export_csv, context.overwrite);
     require_no_input(*flags.export_csv, std::vector<InputRecord>{{*request.history, ""}});

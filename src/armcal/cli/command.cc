@@ -44,12 +44,15 @@ std::vector<std::string> Argument::spellings() const {
   return {name.substr(0, comma), name.substr(comma + 1)};
 }
 
+void Context::warn(const Diagnostics& diagnostics) const {
+  if (quiet) return;
+  for (const Diagnostic& warning : diagnostics.warnings()) err << to_string(warning) << "\n";
+}
+
 void Context::emit(const std::vector<InputRecord>& inputs, const Diagnostics& diagnostics,
                    const Json& json_result, const std::string& text,
                    const std::optional<std::uint64_t>& seed) const {
-  if (!quiet) {
-    for (const Diagnostic& warning : diagnostics.warnings()) err << to_string(warning) << "\n";
-  }
+  warn(diagnostics);
   if (!wants_document()) {
     out << text;
     return;

@@ -78,6 +78,8 @@ struct Context {
   ReportOrder report_order;
   ReportWriter* report = nullptr;  ///< where one is wanted
 
+  /// Prints warnings to err, unless quiet.
+  void warn(const Diagnostics& diagnostics) const;
   /// Is the document of the result wanted, to print or to report?
   [[nodiscard]] bool wants_document() const { return json || report != nullptr; }
   /// Prints warnings to err (unless quiet) and the result to out: `text`, or with --json the

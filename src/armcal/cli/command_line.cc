@@ -134,8 +134,10 @@ void add_argument(CLI::App& app, const Argument& argument) {
     option->check([&argument](const std::string& value) -> std::string {
       const auto& choices = argument.choices;
       if (std::find(choices.begin(), choices.end(), value) != choices.end()) return {};
-      return fmt::format("\"{}\" is none of {}; {}", value, fmt::join(choices, ", "),
-                         did_you_mean(value, choices));
+      const std::string said = fmt::format("\"{}\" is none of {}", value, fmt::join(choices, ", "));
+      const std::string hint = did_you_mean(value, choices);
+      // Without a near one it names them all, which is done already.
+      return hint.starts_with("known:") ? said : fmt::format("{}; {}", said, hint);
     });
   }
 }

@@ -52,6 +52,7 @@ int run_demo(const DemoFlags& flags, const Context& context) {
   Context reporting = context;
   if (reporting.report == nullptr) {
     reporting.report = &own.emplace(context.report_order, context.overwrite, context.monitor);
+    context.warn(own->diagnostics());
   }
   std::string ending;
   if (!reporting.report->page_path()) {

@@ -19,11 +19,34 @@ struct ReportFlags {
   bool extract = false;
 };
 
-int extract(const ReportFlags& flags, const Context& context, const std::string& document,
-            const InputFiles& files) {
-  if (context.report_order.pdf) {
+void check_order_of_report(const ReportFlags& flags, const Context& context) {
+  const ReportOrder& order = context.report_order;
+  if (order.html) {
+    throw std::invalid_argument("report writes to the file that -o names, not --report");
+  }
+  if (!flags.extract && !flags.output && !order.pdf) {
+    throw std::invalid_argument("nothing to write: say -o FILE.html, --pdf FILE.pdf or --extract");
+  }
+  if (!flags.extract) {
+    if (context.json && flags.output == "-") {
+      throw std::invalid_argument(
+          "-o -: the page and the object of --json cannot both go to standard output\n  help: name "
+          "a file: -o FILE.html");
+    }
+    return;
+  }
+  if (order.pdf) {
     throw std::invalid_argument("--extract gives the numbers back and prints no PDF");
   }
+  if (order.language || order.details_file) {
+    throw std::invalid_argument(
+        "--extract gives the numbers back as they are: no --lang, no --details");
+  }
+}
+
+int extract(const ReportFlags& flags, const Context& context, const std::string& document,
+            InputFiles& files) {
+  context.warn(files.diagnostics());
   if (flags.output) {
     context.save(*flags.output, document, files.records());
   } else {
@@ -33,28 +56,35 @@ int extract(const ReportFlags& flags, const Context& context, const std::string&
 }
 
 int run_report(const ReportFlags& flags, const Context& context) {
-  if (context.report_order.html) {
-    throw std::invalid_argument("report writes to the file that -o names, not --report");
+  check_order_of_report(flags, context);
+  for (const auto& path : {flags.output, context.report_order.pdf}) {
+    if (path) check_may_write(*path, context.overwrite);
   }
-  if (!flags.extract && !flags.output && !context.report_order.pdf) {
-    throw std::invalid_argument("nothing to write: say -o FILE.html, --pdf FILE.pdf or --extract");
-  }
-  if (flags.output) check_may_write(*flags.output, context.overwrite);
   InputFiles files(context.monitor);
-  SavedResult saved = load_saved_result(files, flags.result);
+  const SavedResult saved = load_saved_result(files, flags.result);
   if (flags.extract) return extract(flags, context, saved.document, files);
 
+  const bool to_standard_output = flags.output == "-";
   ReportOrder order = context.report_order;
-  order.html = flags.output;
-  ReportWriter writer(order, context.overwrite, context.monitor, std::move(saved.details));
+  if (!to_standard_output) order.html = flags.output;
+  if (!order.language) order.language = saved.language.value_or("en");
+  const bool keeps_details = !order.details_file;
+  ReportWriter writer(order, context.overwrite, context.monitor,
+                      keeps_details ? kept_details(files, saved) : ReportDetails());
+  files.diagnostics().append(writer.diagnostics());
   writer.make(saved.document, flags.result, files.records());
   writer.print();
   writer.write_page();
+  if (to_standard_output) {
+    context.warn(files.diagnostics());
+    context.out << writer.page();
+    return kDone;
+  }
   Json json;
   std::string text;
   for (const std::string& path : writer.paths()) text += fmt::format("{}\n", path);
   json["reports"] = writer.paths();
-  json["language"] = order.language;
+  json["language"] = *order.language;
   context.emit(files.records(), files.diagnostics(), json, text);
   return kDone;
 }

@@ -29,6 +29,7 @@ ReportWriter::ReportWriter(ReportOrder order, Overwrite overwrite, const Monitor
     InputFiles files(monitor_);
     details_ = load_report_details(files, *order_.details_file);
     details_records_ = files.records();
+    diagnostics_ = files.diagnostics();
   }
 }
 
@@ -50,7 +51,7 @@ void ReportWriter::make(const std::string& document, const std::string& file,
     require_no_input(path, inputs);
     require_no_input(path, details_records_);
   }
-  html_ = html_report(document, file, order_.language, details_);
+  html_ = html_report(document, file, order_.language.value_or("en"), details_);
 }
 
 void ReportWriter::write_page() const {

@@ -16,9 +16,9 @@ namespace armcal::cli {
 
 /// What a user wants of a report, beside or instead of what is printed.
 struct ReportOrder {
-  std::optional<std::string> html;  ///< path
-  std::optional<std::string> pdf;   ///< path
-  std::string language = "en";
+  std::optional<std::string> html;      ///< path
+  std::optional<std::string> pdf;       ///< path
+  std::optional<std::string> language;  ///< "en" where none is named
   std::optional<std::string> details_file;
 
   [[nodiscard]] bool is_placed() const { return html || pdf; }
@@ -30,10 +30,13 @@ class ReportWriter {
  public:
   /// @param kept  details where the order names no file of them
   /// @throws InputError for details that cannot be read and files that are there already; FileError
-  /// where a PDF is wanted and nothing prints; std::invalid_argument where page and PDF are one
-  /// file
+  /// where their folder is not, or a PDF is wanted and nothing prints; std::invalid_argument where
+  /// page and PDF are one file
   ReportWriter(ReportOrder order, Overwrite overwrite, const Monitor& monitor,
                ReportDetails kept = {});
+
+  /// Warnings about the details.
+  [[nodiscard]] const Diagnostics& diagnostics() const { return diagnostics_; }
 
   /// Wants a page, too: one of our own, which may be there already.
   void place_page(std::string path);
@@ -45,9 +48,11 @@ class ReportWriter {
   /// html_report
   void make(const std::string& document, const std::string& file,
             std::span<const InputRecord> inputs);
-  /// Writes the page that was made, where one is wanted.
+  /// The page that was made.
+  [[nodiscard]] const std::string& page() const { return html_; }
+  /// Writes it, where that is wanted.
   void write_page() const;
-  /// Prints it, where that is wanted. @throws as print_as_pdf
+  /// Prints it, where that is. @throws as print_as_pdf
   void print() const;
 
   [[nodiscard]] const std::optional<std::string>& page_path() const { return order_.html; }
@@ -62,6 +67,7 @@ class ReportWriter {
   Monitor monitor_;
   ReportDetails details_;
   std::vector<InputRecord> details_records_;
+  Diagnostics diagnostics_;
   std::string browser_;
   std::string html_;
 };

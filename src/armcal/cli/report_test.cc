@@ -95,7 +95,9 @@ TEST(Reports, SpeakTheLanguageThatIsAskedFor) {
   EXPECT_THAT(testing::read_bytes(html), HasSubstr("最佳拟合球"));
   const ToolResult unknown = tool(fit_with({"--report", folder.path("x.html"), "--lang", "fr"}));
   EXPECT_EQ(unknown.code, 2);
-  EXPECT_THAT(unknown.err, HasSubstr("en"));
+  EXPECT_EQ(unknown.err,
+            "error: armcal fit: --lang: \"fr\" is none of en, zh\n"
+            "  help: armcal fit --help shows what it takes\n");
   EXPECT_FALSE(exists(folder.path("x.html")));
 }
 
@@ -132,11 +134,130 @@ TEST(Reports, RefuseDetailsThatCannotBeReadBeforeTheWorkBegins) {
   EXPECT_FALSE(exists(folder.path("r.html")));
 }
 
-TEST(Reports, AreMissedWhereDetailsStandAlone) {
+TEST(Reports, AreMissedWhereDetailsOrALanguageStandAlone) {
   const ToolResult result =
       tool(fit_with({"--details", example("report/laboratory.details.toml")}));
   EXPECT_EQ(result.code, 2);
-  EXPECT_THAT(result.err, HasSubstr("say --report FILE or --pdf FILE too"));
+  EXPECT_THAT(result.err,
+              HasSubstr("--details is for a report: say --report FILE or --pdf FILE too"));
+  const ToolResult spoken = tool(fit_with({"--lang", "zh"}));
+  EXPECT_EQ(spoken.code, 2);
+  EXPECT_EQ(spoken.out, "");
+  EXPECT_THAT(spoken.err, HasSubstr("--lang is for a report: say --report FILE or --pdf FILE too"));
+}
+
+TEST(Reports, WarnOfDetailsThatCannotBeWhileTheyAreMade) {
+  const TemporaryFolder folder;
+  const std::string details =
+      folder.write("a.details.toml",
+                   "schema = \"armcal.details/1\"\n[dates]\nreceived = 2026-03-02\n"
+                   "performed = 2026-03-01\n");
+  const std::string html = folder.path("r.html");
+  const std::string warning = ":4:1: warning: performed 2026-03-01 is before received 2026-03-02";
+  const ToolResult made = tool(fit_with({"--report", html, "--details", details}));
+  EXPECT_EQ(made.code, 0);
+  EXPECT_THAT(made.err, StartsWith(details + warning));
+  EXPECT_EQ(made.out, tool(kFit).out);
+  EXPECT_THAT(tool({"report", html, "-o", folder.path("b.html")}).err,
+              HasSubstr("(its details)" + warning));
+  EXPECT_THAT(tool({"report", html, "-o", folder.path("c.html"), "--details", details}).err,
+              StartsWith(details + warning));
+  EXPECT_THAT(tool({"demo", "--report", folder.path("d.html"), "--details", details}).err,
+              StartsWith(details + warning));
+  EXPECT_EQ(tool({"report", html, "--extract"}).err, "");
+  EXPECT_EQ(tool(fit_with({"--report", html, "--details", details, "--quiet", "--force"})).err, "");
+}
+
+// The same result had another number in every file it was written to.
+TEST(Reports, OfTheSameResultHaveTheSameNumber) {
+  const TemporaryFolder folder;
+  const auto number_in = [&](const std::string& name, const std::vector<std::string>& more) {
+    std::vector<std::string> words = fit_with(more);
+    words.insert(words.end(), {"--report", folder.path(name)});
+    EXPECT_EQ(tool(words).code, 0);
+    const std::string page = testing::read_bytes(folder.path(name));
+    return page.substr(page.find("armcal-", page.find("<p class=\"number\">")), 19);
+  };
+  const std::string number = number_in("a.html", {});
+  EXPECT_THAT(number, ::testing::MatchesRegex("armcal-[0-9a-f]{12}"));
+  EXPECT_EQ(number_in("b.html", {"--quiet"}), number);
+  EXPECT_EQ(number_in("c.html", {"--lang", "zh"}), number);
+}
+
+TEST(Reports, KeepTheLanguageOfTheReportTheyAreMadeOf) {
+  const TemporaryFolder folder;
+  const std::string zh = folder.path("zh.html");
+  const std::string again = folder.path("again.html");
+  EXPECT_EQ(tool(fit_with({"--report", zh, "--lang", "zh"})).code, 0);
+  const Json said = tool({"report", zh, "-o", again, "--json"}).json();
+  EXPECT_EQ(said["language"], "zh");
+  EXPECT_EQ(testing::read_bytes(again), testing::read_bytes(zh));
+  EXPECT_EQ(tool({"report", zh, "-o", again, "--lang", "en", "--force"}).code, 0);
+  EXPECT_THAT(testing::read_bytes(again), HasSubstr("<html lang=\"en\">"));
+}
+
+// A word of a file in the place of another of the same length.
+std::string with_changed(const std::string& path, std::string_view word, std::string_view by) {
+  std::string bytes = testing::read_bytes(path);
+  EXPECT_NE(bytes.find(word), std::string::npos) << word;
+  for (std::size_t at = bytes.find(word); at != std::string::npos; at = bytes.find(word, at)) {
+    bytes.replace(at, word.size(), by);
+  }
+  return bytes;
+}
+
+TEST(Reports, WhoseResultWasChangedAreReadWithAWarning) {
+  const TemporaryFolder folder;
+  const std::string html = folder.path("r.html");
+  const ToolResult made = tool(fit_with({"--json", "--report", html}));
+  const std::string changed =
+      folder.write("changed.html", with_changed(html, "\"command\": \"fit", "\"command\": \"fiT"));
+  const std::string warning =
+      changed + ": warning: its result was changed after the report was made\n  help: ";
+  const ToolResult extracted = tool({"report", changed, "--extract"});
+  EXPECT_EQ(extracted.code, 0);
+  EXPECT_THAT(extracted.err, StartsWith(warning));
+  EXPECT_THAT(extracted.out, HasSubstr("\"command\": \"fiT"));
+  EXPECT_EQ(tool({"report", changed, "--extract", "--quiet"}).err, "");
+  const ToolResult again = tool({"report", changed, "-o", folder.path("again.html"), "--json"});
+  EXPECT_EQ(again.code, 0);
+  EXPECT_THAT(again.err, StartsWith(warning));
+  EXPECT_EQ(again.json()["warnings"].size(), 1U);
+  // As it was made, and as it was made before reports had the sum.
+  EXPECT_EQ(tool({"report", html, "--extract"}).err, "");
+  const std::string older =
+      folder.write("older.html", with_changed(changed, "data-sha256", "data-other"));
+  EXPECT_EQ(tool({"report", older, "--extract"}).err, "");
+}
+
+// Details that earlier versions took are no reason to withhold the result.
+TEST(Reports, WithDetailsThatAreNotReadTodayStillGiveTheirResult) {
+  const TemporaryFolder folder;
+  const std::string details = folder.write("a.details.toml",
+                                           "schema = \"armcal.details/1\"\n[customer]\n"
+                                           "address = \"Road 2\"\n");
+  const std::string html = folder.path("r.html");
+  const ToolResult made = tool(fit_with({"--json", "--report", html, "--details", details}));
+  const std::string older = folder.write("older.html", with_changed(html, "naddress", "nadresse"));
+  EXPECT_EQ(tool({"report", older, "--extract"}).out, made.out);
+  const ToolResult refused = tool({"report", older, "-o", folder.path("b.html")});
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("(its details):3:1: error: unknown key \"adresse\""));
+  EXPECT_THAT(refused.err, HasSubstr("help: give others: --details FILE"));
+  EXPECT_EQ(tool({"report", older, "-o", folder.path("b.html"), "--details", details}).code, 0);
+}
+
+TEST(Reports, DoNotGoWhereResultsGo) {
+  for (const char* flag : {"--report", "--pdf"}) {
+    const ToolResult result = tool(fit_with({flag, "-"}));
+    EXPECT_EQ(result.code, 2);
+    EXPECT_EQ(result.out, "");
+    EXPECT_THAT(result.err, StartsWith(std::string("error: ") + flag +
+                                       " -: standard output is for the result\n  help: name a "
+                                       "file: " +
+                                       flag + " FILE."));
+  }
+  EXPECT_EQ(tool({"demo", "--report", "-"}).code, 2);
 }
 
 TEST(Reports, OverwriteNothing) {
@@ -226,6 +347,31 @@ TEST(ReportCommand, WantsToKnowWhatToWrite) {
       tool({"report", folder.path("none.json"), "-o", folder.path("r.html")});
   EXPECT_EQ(missing.code, 2);
   EXPECT_THAT(missing.err, HasSubstr("none.json"));
+}
+
+TEST(ReportCommand, WritesThePageAloneToStandardOutput) {
+  const TemporaryFolder folder;
+  const std::string json = folder.write("fit.json", tool(fit_with({"--json"})).out);
+  const std::string html = folder.path("r.html");
+  EXPECT_EQ(tool({"report", json, "-o", html}).code, 0);
+  const ToolResult printed = tool({"report", json, "-o", "-"});
+  EXPECT_EQ(printed.code, 0);
+  EXPECT_EQ(printed.out, testing::read_bytes(html));
+  EXPECT_EQ(printed.err, "");
+  const ToolResult both = tool({"report", json, "-o", "-", "--json"});
+  EXPECT_EQ(both.code, 2);
+  EXPECT_THAT(both.err, HasSubstr("cannot both go to standard output\n  help: name a file"));
+  EXPECT_EQ(tool({"report", json, "-o", "-", "--pdf", "-"}).code, 2);
+}
+
+TEST(ReportCommand, ExtractsWithoutFlagsOfReports) {
+  const TemporaryFolder folder;
+  const std::string json = folder.write("fit.json", tool(fit_with({"--json"})).out);
+  for (const char* flag : {"--lang", "--details"}) {
+    const ToolResult result = tool({"report", json, "--extract", flag, "zh"});
+    EXPECT_EQ(result.code, 2);
+    EXPECT_THAT(result.err, HasSubstr("as they are: no --lang, no --details"));
+  }
 }
 
 TEST(ReportCommand, SaysInJsonWhatItWrote) {
@@ -320,7 +466,14 @@ TEST(Pdf, SaysWhatTheBrowserSaidWhereItFails) {
     const Browser browser(folder, "echo 'first' >&2\necho 'no display today' >&2\nexit 3\n");
     const ToolResult result = tool(fit_with({"--pdf", pdf}));
     EXPECT_EQ(result.code, 5);
-    EXPECT_THAT(result.err, HasSubstr("did not print the report: no display today"));
+    EXPECT_THAT(result.err, HasSubstr("did not print the report: no display today\n  help: write "
+                                      "the report as HTML and print it from any browser"));
+  }
+  {
+    const Browser browser(folder, "exit 3\n");
+    EXPECT_THAT(
+        tool(fit_with({"--pdf", pdf})).err,
+        HasSubstr("did not print the report, and did not say why\n  help: write the report"));
   }
   {
     // It ends well and has printed something else.

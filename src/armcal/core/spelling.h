@@ -20,4 +20,7 @@ namespace armcal {
 /// Does `name` match the shell-like `pattern` (`*` any run, `?` any one character)?
 [[nodiscard]] bool matches_glob(std::string_view name, std::string_view pattern);
 
+/// A word as a POSIX shell reads it back: in single quotes where it needs them.
+[[nodiscard]] std::string shell_word(std::string_view word);
+
 }  // namespace armcal

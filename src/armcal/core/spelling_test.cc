@@ -23,6 +23,13 @@ TEST(DidYouMean, NamesTheNearest) {
   EXPECT_EQ(did_you_mean(std::string(100000, 'x'), known), "known: distance_mm, radius_mm, u_mm");
 }
 
+TEST(ShellWord, IsQuotedWhereItMustBe) {
+  EXPECT_EQ(shell_word("out/r-1.html"), "out/r-1.html");
+  EXPECT_EQ(shell_word(""), "''");
+  EXPECT_EQ(shell_word("my folder"), "'my folder'");
+  EXPECT_EQ(shell_word("it's $HOME"), "'it'\\''s $HOME'");
+}
+
 TEST(Glob, MatchesAsAShellDoes) {
   EXPECT_TRUE(matches_glob("alpha3", "alpha*"));
   EXPECT_TRUE(matches_glob("alpha3", "*"));

@@ -12,6 +12,7 @@
 #include <filesystem>
 
 #include "armcal/core/diagnostics.h"
+#include "armcal/core/spelling.h"
 
 namespace armcal {
 namespace {
@@ -63,6 +64,29 @@ class Temporary {
 }  // namespace
 
 void check_may_write(const std::string& path, Overwrite overwrite) {
+  check_may_overwrite(path, overwrite);
+  check_folder_of(path);
+}
+
+void check_folder_of(const std::string& path) {
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  if (path == "-" || folder.empty()) return;
+  std::error_code ignored;
+  const auto kind = std::filesystem::status(folder, ignored).type();
+  if (kind == std::filesystem::file_type::not_found) {
+    throw FileError(fmt::format(
+        "cannot write {}: the folder {} does not exist\n  help: make it first: mkdir -p "
+        "{}",
+        path, folder.string(), shell_word(folder.string())));
+  }
+  const bool is_known =
+      kind != std::filesystem::file_type::none && kind != std::filesystem::file_type::unknown;
+  if (is_known && kind != std::filesystem::file_type::directory) {
+    throw FileError(fmt::format("cannot write {}: {} is no folder", path, folder.string()));
+  }
+}
+
+void check_may_overwrite(const std::string& path, Overwrite overwrite) {
   if (path == "-") return;
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) {

@@ -45,6 +45,36 @@ TEST(OutputFile, FailsInWordsWhereTheDeviceDoes) {
   EXPECT_THROW(write_file(folder.path(""), "x", Overwrite::allow), InputError);
 }
 
+std::string refusal_of_folder(const std::string& path) {
+  try {
+    check_may_write(path, Overwrite::allow);
+  } catch (const FileError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(OutputFile, WantsItsFolderBeforeAnyWorkIsDone) {
+  const testing::TemporaryFolder folder;
+  const std::string missing = folder.path("missing");
+  EXPECT_EQ(refusal_of_folder(missing + "/x.html"),
+            "cannot write " + missing + "/x.html: the folder " + missing +
+                " does not exist\n  help: make it first: mkdir -p " + missing);
+  EXPECT_THAT(refusal_of_folder(folder.path("a folder/x.html")),
+              HasSubstr("mkdir -p '" + folder.path("a folder") + "'"));
+  EXPECT_THAT(refusal_of_folder(folder.write("file", "") + "/x.html"), HasSubstr("is no folder"));
+  for (const std::string& path : {folder.path("x.html"), std::string("x.html"), std::string("-"),
+                                  std::string("./x.html"), std::string("/dev/null")}) {
+    EXPECT_EQ(refusal_of_folder(path), "") << path;
+  }
+}
+
+TEST(OutputFile, WhoseFolderIsYetToBeMadeIsAskedOnlyWhetherItIsThere) {
+  const testing::TemporaryFolder folder;
+  EXPECT_NO_THROW(check_may_overwrite(folder.path("missing/a.csv"), Overwrite::refuse));
+  EXPECT_THROW(check_may_overwrite(folder.write("a.csv", "x"), Overwrite::refuse), InputError);
+}
+
 TEST(OutputFile, WritesToDevices) { write_file("/dev/null", "x", Overwrite::refuse); }
 
 TEST(OutputFile, AFullDeviceIsAnError) {

@@ -21,14 +21,25 @@ struct ReferenceStandard {
   std::string due;  ///< date until which its calibration counts
 };
 
-/// What a report says beside the result: ISO/IEC 17025:2017, 7.8.2 and 7.8.4. All of it is text as
-/// typed; what is empty is not printed. docs/files/report-details.md
+/// A laboratory that results come from, other than the one that reports.
+struct ExternalProvider {
+  std::string name;
+  std::string results;  ///< which ones
+};
+
+/// What a report says beside the result: ISO/IEC 17025:2017, 7.8.2, 7.8.4 and 7.8.8. All of it is
+/// text as typed, maybe of several lines; what is empty is not printed.
+/// docs/files/report-details.md
 struct ReportDetails {
   std::string title;
-  std::string number;  ///< unique; empty: made from the result
-  struct Party {
+  std::string number;    ///< unique; empty: made from the result
+  std::string replaces;  ///< number of the report in whose place this one is issued
+  struct Laboratory {
     std::string name, address, accreditation;
-  } laboratory, customer;
+  } laboratory;
+  struct Customer {
+    std::string name, address;
+  } customer;
   std::string place;  ///< where the work was done, if not at the laboratory
   struct Item {
     std::string description, maker, model, serial, probe, condition;
@@ -40,6 +51,7 @@ struct ReportDetails {
     std::string temperature, humidity, mounting, remarks;
   } environment;
   std::vector<ReferenceStandard> references;
+  std::vector<ExternalProvider> externals;
   struct Method {
     std::string name, edition, deviations;
   } method;
@@ -53,7 +65,7 @@ struct ReportDetails {
 };
 
 /// Reads a details file (*.details.toml, schema armcal.details/1). Problems, unknown keys among
-/// them, go to `diagnostics`.
+/// them, go to `diagnostics`; dates in an order that cannot be, as warnings.
 [[nodiscard]] std::optional<ReportDetails> read_report_details(const TextFile& file,
                                                                Diagnostics& diagnostics);
 

@@ -256,8 +256,16 @@ std::optional<std::string> TomlSection::number_or_text(std::string_view key) {
 std::optional<std::string> TomlSection::spelled(std::string_view key) {
   const TomlValue* value = find(key);
   if (value == nullptr) return std::nullopt;
+  if (const auto* text = std::get_if<std::string>(&value->value)) return *text;
   if (const auto* date = std::get_if<TomlDate>(&value->value)) return date->text;
-  return number_or_text(key);
+  if (const auto* whole = std::get_if<std::int64_t>(&value->value)) return std::to_string(*whole);
+  if (std::holds_alternative<double>(value->value)) {
+    diagnostics_->error(value->where, fmt::format("{} is a decimal number without quotes", key),
+                        "write it in quotes, so that it stays as it is typed");
+  } else {
+    wrong_type(*value, key, "a text");
+  }
+  return std::nullopt;
 }
 
 std::optional<Eigen::VectorXd> TomlSection::numbers(std::string_view key) {

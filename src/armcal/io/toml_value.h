@@ -49,7 +49,8 @@ class TomlSection {
   std::optional<std::string> text(std::string_view key);
   /// A text, or a number as the text that spells it: for formulas.
   std::optional<std::string> number_or_text(std::string_view key);
-  /// The same, and dates too: for what is printed as it was typed.
+  /// A text, or a whole number or date as its text: for what is printed as it was typed. A decimal
+  /// number is an error: 1.10 would come back as 1.1.
   std::optional<std::string> spelled(std::string_view key);
   std::optional<Eigen::VectorXd> numbers(std::string_view key);
   std::optional<std::vector<std::string>> texts(std::string_view key);

@@ -57,6 +57,27 @@ TEST(Toml, NamesThePlaceOfAWrongType) {
   EXPECT_THAT(text, HasSubstr("e must be pairs of numbers"));
 }
 
+// 20260117 was printed as "20260117.0", 1.10 as "1.1".
+TEST(Toml, SpellsWhatIsPrintedAsItWasTyped) {
+  Document document(
+      "whole = 20260117\nlarge = 9007199254740993\ndate = 2026-01-17\ntext = '1.10'\n"
+      "decimal = 1.10\nlate = 1e3\nflag = true\n");
+  TomlSection root = document.root();
+  EXPECT_EQ(root.spelled("whole"), "20260117");
+  EXPECT_EQ(root.spelled("large"), "9007199254740993");
+  EXPECT_EQ(root.spelled("date"), "2026-01-17");
+  EXPECT_EQ(root.spelled("text"), "1.10");
+  EXPECT_EQ(root.spelled("absent"), std::nullopt);
+  EXPECT_FALSE(document.diagnostics.has_errors()) << document.diagnostics.to_text();
+  for (const char* key : {"decimal", "late", "flag"}) EXPECT_EQ(root.spelled(key), std::nullopt);
+  EXPECT_EQ(document.diagnostics.to_text(),
+            "a.toml:5:1: error: decimal is a decimal number without quotes\n"
+            "  help: write it in quotes, so that it stays as it is typed\n"
+            "a.toml:6:1: error: late is a decimal number without quotes\n"
+            "  help: write it in quotes, so that it stays as it is typed\n"
+            "a.toml:7:1: error: flag must be a text, not true or false\n");
+}
+
 TEST(Toml, ComplainsOfUnknownKeysWithTheNearestKnownOne) {
   Document document("distance_mm = 1\ndistanse_mm = 2\n");
   TomlSection root = document.root();

@@ -58,6 +58,11 @@ struct Words {
     }
   }
   void operator()(const Verbatim& verbatim) { add(verbatim.text); }
+  void operator()(const Signature& signature) {
+    add(signature.label);
+    add(signature.name);
+    add(signature.role);
+  }
 };
 
 void add_paths(const Json& json, const Json::json_pointer& path,

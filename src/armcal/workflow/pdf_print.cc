@@ -15,6 +15,7 @@
 #include <fstream>
 #include <iterator>
 #include <sstream>
+#include <string_view>
 #include <thread>
 #include <vector>
 
@@ -26,6 +27,10 @@ namespace {
 
 using namespace std::chrono_literals;
 constexpr auto kLongest = 120s;
+constexpr std::string_view kPrintElsewhere =
+    "\n  help: write the report as HTML and print it from any browser; ARMCAL_BROWSER names "
+    "another "
+    "one to print with";
 
 // A folder that goes when its work is done.
 class WorkFolder {
@@ -76,7 +81,8 @@ int wait_for(pid_t child, const Monitor& monitor) {
     if (std::chrono::steady_clock::now() - begin > kLongest) {
       end(child);
       waitpid(child, nullptr, 0);
-      throw FileError(fmt::format("the browser did not print within {} s", kLongest.count()));
+      throw FileError(fmt::format("the browser did not print within {} s{}", kLongest.count(),
+                                  kPrintElsewhere));
     }
     std::this_thread::sleep_for(20ms);
   }
@@ -134,8 +140,10 @@ void print_as_pdf(const std::string& html, const std::string& browser, const std
   const int status = wait_for(start_program(words, log, Belonging::own_group), monitor);
   const std::string bytes = read_all(pdf);
   if (status != 0 || bytes.rfind("%PDF", 0) != 0) {
-    throw FileError(
-        fmt::format("{} did not print the report: {}", browser, last_line(read_all(log))));
+    const std::string said = last_line(read_all(log));
+    throw FileError(fmt::format("{} did not print the report{}{}{}", browser,
+                                said.empty() ? ", and did not say why" : ": ", said,
+                                kPrintElsewhere));
   }
   write_file(pdf_path, bytes, overwrite);
 }

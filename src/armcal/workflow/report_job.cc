@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "armcal/io/sha256.h"
 #include "armcal/report/html/page_html.h"
 #include "armcal/report/pages/pages.h"
 
@@ -43,18 +44,31 @@ SavedResult load_saved_result(InputFiles& files, const std::string& path) {
   const auto text = files.text(path, kLargestTable_bytes);
   files.require_good();
   const std::size_t first = text->text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
-  if (first == std::string::npos || text->text[first] != '<') return {text->text, {}};
+  if (first == std::string::npos || text->text[first] != '<') return {text->text, {}, {}};
   auto document = document_in_html(text->text);
   if (!document) refuse(path, "is a web page, but no report of armcal");
-  SavedResult saved{std::move(*document), {}};
-  if (const auto details = details_in_html(text->text)) {
-    const TextFile file{path + " (its details)", *details, text->encoding, ""};
-    if (auto read = read_report_details(file, files.diagnostics())) {
-      saved.details = std::move(*read);
-    }
-    files.require_good();
+  const auto stated = sha256_in_html(text->text);
+  if (stated && *stated != sha256_hex(*document)) {
+    files.diagnostics().warning(
+        {path, 0, 0}, "its result was changed after the report was made",
+        "what the page shows may be something else: ask who made it for the report as it was");
+  }
+  SavedResult saved{std::move(*document), {}, language_in_html(text->text)};
+  if (auto details = details_in_html(text->text)) {
+    saved.details = TextFile{path + " (its details)", std::move(*details), text->encoding, ""};
   }
   return saved;
+}
+
+ReportDetails kept_details(InputFiles& files, const SavedResult& saved) {
+  if (!saved.details) return {};
+  auto details = read_report_details(*saved.details, files.diagnostics());
+  if (!details) {
+    files.diagnostics().error({saved.details->path, 0, 0}, "are not such as are read today",
+                              "give others: --details FILE");
+  }
+  files.require_good();
+  return std::move(*details);
 }
 
 ReportDetails load_report_details(InputFiles& files, const std::string& path) {

@@ -93,7 +93,7 @@ void write_simulation(const SimulationFiles& files, const std::string& folder,
   }
   for (const FileText& file : files.files) {
     try {
-      check_may_write((root / file.path).string(), overwrite);
+      check_may_overwrite((root / file.path).string(), overwrite);
     } catch (const InputError& error) {
       diagnostics.append(error.diagnostics());
     }

@@ -60,5 +60,5 @@ export function liveModels(path) {
 
 export function embeddedDocument(path) {
   const html = readFileSync(path, "utf8");
-  return JSON.parse(/<script type="application\/json" id="armcal-result">(.*?)<\/script>/s.exec(html)[1]);
+  return JSON.parse(/<script type="application\/json" id="armcal-result"[^>]*>(.*?)<\/script>/s.exec(html)[1]);
 }

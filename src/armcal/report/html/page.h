@@ -90,7 +90,15 @@ struct Verbatim {
   std::string text;
 };
 
-using Block = std::variant<Headlines, Paragraph, Notice, Facts, Table, Figures, Verbatim>;
+/// Who answers for the report; on paper with a line to sign on.
+struct Signature {
+  std::string label;  ///< "Released by"
+  std::string name;
+  std::string role;
+};
+
+using Block =
+    std::variant<Headlines, Paragraph, Notice, Facts, Table, Figures, Verbatim, Signature>;
 
 struct Section {
   std::string id;  ///< unique on the page, of a-z 0-9 -

@@ -21,11 +21,14 @@ namespace {
 
 using Data = kainjow::mustache::data;
 
+// Up to the attributes that may follow.
 constexpr std::string_view kDocumentBegin =
-    "<script type=\"application/json\" id=\"armcal-result\">";
+    "<script type=\"application/json\" id=\"armcal-result\"";
 constexpr std::string_view kDetailsBegin =
-    "<script type=\"application/json\" id=\"armcal-details\">";
+    "<script type=\"application/json\" id=\"armcal-details\"";
 constexpr std::string_view kEmbeddedEnd = "</script>";
+constexpr std::string_view kSha256Begin = " data-sha256=\"";
+constexpr std::string_view kLanguageBegin = "<html lang=\"";
 
 Data text_data(const std::string& text) { return Data(visible_text(text)); }
 
@@ -106,6 +109,13 @@ struct BlockData {
     inner.set("text", text_data(verbatim.text));
     return kind("verbatim", inner);
   }
+  Data operator()(const Signature& signature) const {
+    Data inner;
+    inner.set("label", text_data(signature.label));
+    inner.set("name", text_data(signature.name));
+    inner.set("role", text_or_false(signature.role));
+    return kind("signature", inner);
+  }
   Data operator()(const Table& table) const {
     ++tables;
     Data columns(Data::type::list);
@@ -149,8 +159,8 @@ struct BlockData {
  private:
   static Data kind(const char* name, const Data& inner) {
     Data block;
-    for (const char* other :
-         {"headlines", "paragraph", "notice", "facts", "table", "figures", "verbatim"}) {
+    for (const char* other : {"headlines", "paragraph", "notice", "facts", "table", "figures",
+                              "verbatim", "signature"}) {
       block.set(other, boolean(false));
     }
     block.set(name, inner);
@@ -212,14 +222,34 @@ std::string policy_for(const std::string& script) {
   return policy;
 }
 
-// What stands in the script element that begins so; the last one where there are several.
-std::optional<std::string> embedded(std::string_view html, std::string_view begin) {
+struct ScriptElement {
+  std::string_view attributes;  // behind its id
+  std::string_view content;
+};
+
+// The script element that begins so; the last one where there are several.
+std::optional<ScriptElement> script_element(std::string_view html, std::string_view begin) {
   const std::size_t found = html.rfind(begin);
   if (found == std::string_view::npos) return std::nullopt;
   const std::size_t from = found + begin.size();
-  const std::size_t end = html.find(kEmbeddedEnd, from);
+  const std::size_t inside = html.find('>', from);
+  if (inside == std::string_view::npos) return std::nullopt;
+  const std::size_t end = html.find(kEmbeddedEnd, inside);
   if (end == std::string_view::npos) return std::nullopt;
-  return from_script(html.substr(from, end - from));
+  return ScriptElement{html.substr(from, inside - from), html.substr(inside + 1, end - inside - 1)};
+}
+
+std::optional<std::string> embedded(std::string_view html, std::string_view begin) {
+  const auto element = script_element(html, begin);
+  return element ? std::optional(from_script(element->content)) : std::nullopt;
+}
+
+// The value that follows the begin of an attribute, up to its quote.
+std::optional<std::string> attribute_value(std::string_view text, std::string_view begin) {
+  const std::size_t found = text.find(begin);
+  if (found == std::string_view::npos) return std::nullopt;
+  const std::size_t from = found + begin.size();
+  return std::string(text.substr(from, text.find('"', from) - from));
 }
 
 }  // namespace
@@ -259,18 +289,32 @@ std::string html_of(const Page& page, const Language& language, const std::strin
                                       : Data(script_safe(Json(details).dump(
                                             -1, ' ', true, Json::error_handler_t::replace))));
   data.set("version", std::string(kVersion));
+  const std::string safe = script_safe(document);
+  data.set("sha256", sha256_hex(from_script(safe)));  // of what document_in_html gives back
   set_words(data, language);
   // Put in last and by hand: the document may be large, and is no text of the template.
   kainjow::mustache::mustache layout{std::string(report_asset("page.mustache"))};
   std::string html = layout.render(data);
   const std::size_t at = html.rfind(kDocumentBegin);
   if (at == std::string::npos) throw std::logic_error("page.mustache has no place for the result");
-  html.insert(at + kDocumentBegin.size(), script_safe(document));
+  html.insert(html.find('>', at) + 1, safe);
   return html;
 }
 
 std::optional<std::string> document_in_html(std::string_view html) {
   return embedded(html, kDocumentBegin);
+}
+
+std::optional<std::string> sha256_in_html(std::string_view html) {
+  const auto element = script_element(html, kDocumentBegin);
+  return element ? attribute_value(element->attributes, kSha256Begin) : std::nullopt;
+}
+
+std::optional<std::string> language_in_html(std::string_view html) {
+  auto code = attribute_value(html, kLanguageBegin);
+  const auto codes = Language::codes();
+  const bool is_known = code && std::find(codes.begin(), codes.end(), *code) != codes.end();
+  return is_known ? std::move(code) : std::nullopt;
 }
 
 std::optional<std::string> details_in_html(std::string_view html) {

@@ -26,6 +26,13 @@ namespace armcal {
 /// the text is no report of ours.
 [[nodiscard]] std::optional<std::string> document_in_html(std::string_view html);
 
+/// The SHA-256 that a report says its result has: another one than that of `document_in_html` where
+/// it was changed after the report was made. Nothing in reports of versions that did not write it.
+[[nodiscard]] std::optional<std::string> sha256_in_html(std::string_view html);
+
+/// The code of the language of a report. Nothing where it is none of ours.
+[[nodiscard]] std::optional<std::string> language_in_html(std::string_view html);
+
 /// The text of the details file that a report was made with. Nothing where there was none.
 [[nodiscard]] std::optional<std::string> details_in_html(std::string_view html);
 

@@ -9,6 +9,7 @@
 
 #include "armcal/io/sha256.h"
 #include "armcal/report/document.h"
+#include "armcal/report/html/assets.h"
 
 namespace armcal {
 namespace {
@@ -38,7 +39,8 @@ Page page_of_all_blocks(const std::string& text) {
                                      Facts{{{text, text}}},
                                      table,
                                      figures,
-                                     Verbatim{text}};
+                                     Verbatim{text},
+                                     Signature{text, text, text}};
   return {.title = text,
           .subtitle = text,
           .number = text,
@@ -62,7 +64,7 @@ std::string html_in(const char* language, const Page& page, const std::string& d
 TEST(PageHtml, HasEveryTextOfThePage) {
   // Where `text` stands as an element's content, as the title of the window and in an attribute.
   const std::string html = html_in("en", page_of_all_blocks("one text"));
-  EXPECT_EQ(count(html, "one text"), 38U);
+  EXPECT_EQ(count(html, "one text"), 41U);
   EXPECT_THAT(html, HasSubstr("<svg></svg>"));
 }
 
@@ -162,6 +164,45 @@ TEST(DocumentInHtml, IsNoTextOfThePage) {
   const std::string forged = "<script type=\"application/json\" id=\"armcal-result\">{}</script>";
   EXPECT_EQ(document_in_html(html_in("en", page_of_all_blocks(forged), "{\"true\": 1}")),
             "{\"true\": 1}");
+}
+
+TEST(Sha256InHtml, IsThatOfTheDocumentThatComesBack) {
+  // JSON that is written with escapes of its own comes back without them.
+  for (const std::string& document :
+       {"{}"s, Json{{"text", kHostile}}.dump(2), "{\"a\": \"\\u003cb\\u003e\"}"s}) {
+    const std::string html = html_in("en", page_of_all_blocks(kHostile), document);
+    EXPECT_EQ(sha256_in_html(html), sha256_hex(document_in_html(html).value()));
+  }
+}
+
+// Before it was written, the element had no such attribute.
+TEST(Sha256InHtml, IsNothingInOlderReports) {
+  const std::string older =
+      "<script type=\"application/json\" id=\"armcal-result\">{\"a\": \" data-sha256=\\\"0\\\"\"}"
+      "</script>";
+  EXPECT_EQ(sha256_in_html(older), std::nullopt);
+  EXPECT_TRUE(document_in_html(older).has_value());
+  EXPECT_EQ(sha256_in_html("<html></html>"), std::nullopt);
+}
+
+TEST(LanguageInHtml, IsThatOfTheReport) {
+  for (const std::string& code : Language::codes()) {
+    EXPECT_EQ(language_in_html(html_in(code.c_str(), page_of_all_blocks("<html lang=\"xx\">"))),
+              code);
+  }
+  EXPECT_EQ(language_in_html("<html lang=\"fr\">"), std::nullopt);
+  EXPECT_EQ(language_in_html("<html>"), std::nullopt);
+  EXPECT_EQ(language_in_html("<html lang=\"en"), "en");
+}
+
+TEST(PageHtml, HasALineToSignOnOnPaperOnly) {
+  Page page;
+  page.sections = {{"all", "All", "", {Signature{"Released by", "A. Person", "head"}}}};
+  EXPECT_THAT(html_in("en", page),
+              HasSubstr("<div class=\"signature\"><p class=\"label\">Released by</p><p "
+                        "class=\"line\">A. Person</p><p>head</p></div>"));
+  const std::string style(report_asset("report.css"));
+  EXPECT_GT(style.find(".signature .line"), style.find("@media print"));
 }
 
 TEST(DocumentInHtml, IsNothingInOtherTexts) {

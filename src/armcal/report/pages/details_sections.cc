@@ -6,6 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "armcal/core/spelling.h"
+
 namespace armcal {
 namespace {
 
@@ -36,6 +38,17 @@ Table references_table(const std::vector<ReferenceStandard>& references, const L
   return table;
 }
 
+Table externals_table(const std::vector<ExternalProvider>& externals, const Language& say) {
+  Table table;
+  table.caption = say("details.externals");
+  table.columns = {{say("details.external_name"), ColumnKind::text},
+                   {say("details.external_results"), ColumnKind::text}};
+  for (const ExternalProvider& each : externals) {
+    table.rows.push_back({{each.name}, {each.results}});
+  }
+  return table;
+}
+
 bool is_empty(const Facts& facts) {
   for (const auto& [name, value] : facts.rows) {
     if (!value.empty()) return false;
@@ -46,24 +59,7 @@ bool is_empty(const Facts& facts) {
 // A line of the command as it can be typed again.
 std::string typed_again(const std::vector<std::string>& words) {
   std::string line = "armcal";
-  for (const std::string& word : words) {
-    const bool plain = !word.empty() && word.find_first_not_of(
-                                            "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
-                                            "0123456789-_=./,:+@%") == std::string::npos;
-    if (plain) {
-      line += fmt::format(" {}", word);
-      continue;
-    }
-    std::string quoted;
-    for (const char c : word) {
-      if (c == '\'') {
-        quoted += "'\\''";
-      } else {
-        quoted += c;
-      }
-    }
-    line += fmt::format(" '{}'", quoted);
-  }
+  for (const std::string& word : words) line += " " + shell_word(word);
   return line;
 }
 
@@ -78,7 +74,8 @@ std::string place_of(const DocumentView& warning) {
 void add_details(const ReportDetails& details, const Language& say, Page& page) {
   const ReportDetails::Item& item = details.item;
   Facts head{
-      {{say("details.laboratory"),
+      {{say("details.replaces"), details.replaces},
+       {say("details.laboratory"),
         joined_parts({details.laboratory.name, details.laboratory.address})},
        {say("details.accreditation"), details.laboratory.accreditation},
        {say("details.place"), details.place},
@@ -101,16 +98,20 @@ void add_details(const ReportDetails& details, const Language& say, Page& page) 
        {say("details.deviations"), details.method.deviations},
        {say("details.uncertainty"), details.statements.uncertainty},
        {say("details.decision_rule"), details.statements.decision_rule},
-       {say("details.statement_remarks"), details.statements.remarks},
-       {say("details.released_by"),
-        joined_parts({details.released_by.name, details.released_by.role})}}};
+       {say("details.statement_remarks"), details.statements.remarks}}};
   Section section{"conditions", say("details.title"), "", {}};
   if (!is_empty(conditions)) section.blocks.push_back(conditions);
   if (!details.references.empty()) {
     section.blocks.push_back(references_table(details.references, say));
   }
-  if (section.blocks.empty() && is_empty(head)) return;
+  if (!details.externals.empty()) {
+    section.blocks.push_back(externals_table(details.externals, say));
+  }
+  const auto& [name, role] = details.released_by;
+  const bool is_released = !name.empty() || !role.empty();
+  if (section.blocks.empty() && is_empty(head) && !is_released) return;
   section.blocks.push_back(Paragraph{say("details.only_this_item")});
+  if (is_released) section.blocks.push_back(Signature{say("details.released_by"), name, role});
   page.sections.push_back(std::move(section));
 }
 

@@ -10,8 +10,8 @@
 namespace armcal {
 
 /// Puts what the details say onto a page: who, what and when beside its title; conditions,
-/// references, method and statements as a section behind the result. What is empty is left out.
-/// ISO/IEC 17025:2017, 7.8.2.1, 7.8.4.1 and 7.8.6.
+/// references, method, statements, results of others and who released it as a section behind the
+/// result. What is empty is left out. ISO/IEC 17025:2017, 7.8.2.1, 7.8.4.1, 7.8.6 and 7.8.8.
 void add_details(const ReportDetails& details, const Language& say, Page& page);
 
 /// Where the numbers come from: files with their SHA-256, version, seed, command line, warnings.

@@ -34,7 +34,8 @@ Page page_with(const ReportDetails& details, const std::string& language = "en")
 ReportDetails full_details() {
   ReportDetails details;
   details.laboratory = {"Lab", "Street 1", "D-K-1"};
-  details.customer = {"Customer", "Road 2", ""};
+  details.replaces = "R-1";
+  details.customer = {"Customer", "Road 2"};
   details.place = "hall 3";
   details.item = {"arm", "maker", "model", "S-17", "probe 6 mm", "worn"};
   details.dates = {"2026-01-01", "2026-01-02", "2026-01-03"};
@@ -42,6 +43,7 @@ ReportDetails full_details() {
   details.references = {{"bar", "B-9", "C-1", "PTB", "1 um", "2027-01-01"}};
   details.method = {"ISO 10360-12", "2016", "none"};
   details.statements = {"k = 2", "simple acceptance", "see over"};
+  details.externals = {{"Bar Lab", "length of the bar"}};
   details.released_by = {"A. Person", "head"};
   return details;
 }
@@ -55,8 +57,9 @@ TEST(DetailsSections, LeaveAPageAsItIsWhereThereIsNothingToSay) {
 TEST(DetailsSections, SayEverythingBesideTheTitleAndBehindTheResult) {
   const Page page = page_with(full_details());
   EXPECT_THAT(page.head.rows,
-              ElementsAre(Pair("Laboratory", "Lab, Street 1"), Pair("Accreditation", "D-K-1"),
-                          Pair(::testing::_, "hall 3"), Pair("Customer", "Customer, Road 2"),
+              ElementsAre(Pair("Replaces report", "R-1"), Pair("Laboratory", "Lab, Street 1"),
+                          Pair("Accreditation", "D-K-1"), Pair(::testing::_, "hall 3"),
+                          Pair("Customer", "Customer, Road 2"),
                           Pair(::testing::_, "arm, maker, model"), Pair(::testing::_, "S-17"),
                           Pair(::testing::_, "probe 6 mm"), Pair(::testing::_, "worn"),
                           Pair(::testing::_, "2026-01-01"), Pair(::testing::_, "2026-01-02"),
@@ -66,11 +69,35 @@ TEST(DetailsSections, SayEverythingBesideTheTitleAndBehindTheResult) {
   const auto& facts = std::get<Facts>(page.sections[1].blocks.at(0)).rows;
   std::vector<std::string> values;
   for (const auto& [name, value] : facts) values.push_back(value);
-  EXPECT_THAT(values,
-              ElementsAre("20.1 C", "45 %", "on a tripod", "quiet", "ISO 10360-12, 2016", "none",
-                          "k = 2", "simple acceptance", "see over", "A. Person, head"));
+  EXPECT_THAT(values, ElementsAre("20.1 C", "45 %", "on a tripod", "quiet", "ISO 10360-12, 2016",
+                                  "none", "k = 2", "simple acceptance", "see over"));
   EXPECT_THAT(words_of(page), HasSubstr("bar | B-9 | C-1 | PTB | 1 um | 2027-01-01 | "));
+  EXPECT_THAT(words_of(page), HasSubstr("External provider | Results | \nBar Lab | length of the "
+                                        "bar | "));
+  // The last word has who released it.
+  const auto& blocks = page.sections[1].blocks;
+  EXPECT_TRUE(std::holds_alternative<Paragraph>(blocks.at(blocks.size() - 2)));
+  const auto& signature = std::get<Signature>(blocks.back());
+  EXPECT_EQ(signature.label, "Released by");
+  EXPECT_EQ(signature.name, "A. Person");
+  EXPECT_EQ(signature.role, "head");
+}
+
+TEST(DetailsSections, HaveNoLineToSignOnWhereNobodyIsNamed) {
+  ReportDetails details = full_details();
+  details.released_by = {};
+  const Page page = page_with(details);
   EXPECT_TRUE(std::holds_alternative<Paragraph>(page.sections[1].blocks.back()));
+  details = {};
+  details.released_by.role = "head";
+  EXPECT_THAT(words_of(page_with(details)), HasSubstr("Released by\n\nhead\n"));
+}
+
+TEST(DetailsSections, SayInWordsOfTheStandardWhatReplacesAndWhatIsOfOthers) {
+  const std::string words = words_of(page_with(full_details(), "zh"));
+  EXPECT_THAT(words, HasSubstr("来自外部供应者的结果"));
+  EXPECT_THAT(words, HasSubstr("所替代的原报告: R-1"));
+  EXPECT_THAT(words, HasSubstr("批准人\nA. Person\nhead"));
 }
 
 TEST(DetailsSections, NameThemInTheLanguageOfTheReader) {

@@ -80,6 +80,20 @@ TEST(PageNumber, IsTheSameWhereverTheResultIsReported) {
   EXPECT_EQ(page_in("zh", document).number, number_of(document));
 }
 
+// Another name for the report made another number.
+TEST(PageNumber, IsTheSameHoweverTheCommandWasTyped) {
+  const Json document = circle();
+  Json typed = document;
+  typed["command_line"] = {"fit", "circle", "p.csv", "--report", "again.html"};
+  typed["seed"] = 7;
+  EXPECT_EQ(number_of(typed), number_of(document));
+  for (const char* key : {"command_line", "seed"}) typed.erase(key);
+  EXPECT_EQ(number_of(typed), number_of(document));
+  Json of_others = document;
+  of_others["inputs"].push_back(Json::object({{"path", "p.csv"}, {"sha256", "0"}}));
+  EXPECT_NE(number_of(of_others), number_of(document));
+}
+
 TEST(PageNumber, IsAnotherOneForAnotherResult) {
   Json document = circle();
   std::set<std::string> numbers;
