@@ -155,6 +155,8 @@ Figure quantile_figure(const std::vector<double>& components, const Language& sa
   chart.id = "residual-quantiles";
   chart.title = say("figures.quantiles");
   chart.text = say("figures.quantiles_text");
+  const std::size_t beyond = histogram_bins(components).beyond;
+  if (beyond > 0) chart.text += say("figures.quantiles_beyond", beyond);
   chart.x.label = say("figures.normal_axis");
   chart.y.label = say("figures.standardised_axis");
   chart.nothing = say("figures.nothing");
