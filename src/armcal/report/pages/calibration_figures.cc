@@ -341,12 +341,12 @@ Section arm_section(const DocumentView& document, const std::vector<ResidualRow>
   }
   drawing.scene.artefacts = found_points(document, reach_mm(drawing.scene.arm));
   drawing.scene.enlargement = nice_enlargement(drawing.scene);
-  const std::string enlargement = fmt::format("{:g}", drawing.scene.enlargement);
-  drawing.title = say("arm.drawing", enlargement);
+  drawing.title = say("arm.drawing");
   drawing.text = say("arm.drawing_text");
   drawing.nothing = say("figures.nothing");
   drawing.fit = say("calibration.set_fit");
   drawing.check = say("calibration.set_check");
+  drawing.arrows = say("arm.arrows", fmt::format("{:g}", drawing.scene.enlargement));
   Section section{"arm", say("arm.title"), say("arm.lead"), {}};
   section.blocks.emplace_back(Figures{{figure_of(drawing)}});
   return section;
