@@ -84,6 +84,26 @@ test("the button changes the colours of everything", async () => {
 test("charts zoom, and come back", async () => {
   const page = await openReport(browser, reports["calibration.en"]);
   await showAllFigures(page);
+// Ticks were those of the size before, and paper left a chart with those of hardly any.
+test("charts are the same again after paper and after a narrow window", async () => {
+  const page = await openReport(browser, reports["calibration.en"]);
+  await showAllFigures(page);
+  const look = async () => {
+    for (let i = 0; i < 3; ++i) await painted(page);
+    return page.evaluate(() => [...document.querySelectorAll(".plot canvas")].map((canvas) => canvas.toDataURL()));
+  };
+  const before = await look();
+  await page.emulateMedia({ media: "print" });
+  await painted(page);
+  await page.emulateMedia({ media: "screen" });
+  assert.deepEqual((await look()).map((picture, i) => picture === before[i]), before.map(() => true), "after paper");
+  await page.setViewportSize({ width: 390, height: 844 });
+  await look();
+  await page.setViewportSize({ width: 1280, height: 900 });
+  assert.deepEqual((await look()).map((picture, i) => picture === before[i]), before.map(() => true), "after a narrow window");
+  await page.context().close();
+});
+
   const chart = page.locator(".plot").first();
   const ranges = () => chart.evaluate((plot) => armcalReport.charts.find(({ element }) => element.contains(plot)).ranges());
   const whole = await ranges();
