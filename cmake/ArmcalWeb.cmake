@@ -76,11 +76,12 @@ if(ARMCAL_REPORT_SCRIPTS)
   armcal_bundle_report_script()
 endif()
 
-# Reports in a real browser: web/report/test. Skipped where node, chromium or the packages are not.
+# Reports in a real browser: web/report/test. Skipped where reports have no scripts, and where chromium or the packages
+# are not.
 if(ARMCAL_TESTS)
-  set(test_with ${ARMCAL_NODE})
-  if(NOT ARMCAL_NODE)
-    set(test_with sh -c "echo skipped: node is not here; exit 77")
+  set(test_with "${ARMCAL_NODE}")
+  if(NOT ARMCAL_REPORT_SCRIPT)
+    set(test_with sh -c "echo skipped: this build has no scripts for reports && exit 77")
   endif()
   add_test(NAME report_in_browser
            COMMAND ${test_with} ${ARMCAL_WEB_DIR}/test/run.mjs $<TARGET_FILE:armcal> ${PROJECT_SOURCE_DIR}/examples)

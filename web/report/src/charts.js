@@ -17,6 +17,7 @@ import { say } from "./words.js";
 const HEIGHT = 300;
 const WIDE_HEIGHT = 340;
 const PER_TICK = { x: 64, y: 36 }; // pixels
+const AROUND = 60; // what axes take of a chart's width or height, about
 const EQUAL_HEIGHTS = [260, 560];
 
 export function liveChart(figure, model) {
@@ -117,7 +118,7 @@ class LiveChart {
 
   ticks(u, key) {
     const { model } = this;
-    const length = key === "x" ? u.over.clientWidth || u.width : u.over.clientHeight || u.height;
+    const length = (key === "x" ? u.width : u.height) - AROUND; // of the plot, which has its old size yet when it is resized
     const isCounted = model.series.every((series) => series[key].every(Number.isInteger));
     return ticksOf(model[key].scale, ...this.ranges[key], Math.max(2, Math.floor(length / PER_TICK[key])), isCounted ? 1 : 0);
   }
@@ -196,7 +197,7 @@ class LiveChart {
     onThemeChange(() => u.redraw(false, true));
     new ResizeObserver(() => {
       const size = this.size();
-      if (size.width === u.width) return;
+      if (this.place.clientWidth === 0 || size.width === u.width) return; // on paper
       u.setSize(size);
       this.show(this.button.hidden ? this.full : this.ranges);
     }).observe(this.place);

@@ -11,7 +11,7 @@ import { ArmBody } from "./scene_arm.js";
 import { cameraFor, lookAt, moveByKey } from "./scene_camera.js";
 import { panelOf } from "./scene_panel.js";
 import { Measured } from "./scene_postures.js";
-import { HalfTurn } from "./scene_turn.js";
+import { HalfTurn, placesOnTheWay, readingsAlong } from "./scene_turn.js";
 import { artefactsOf, axesOf, groundOf, roundLength } from "./scene_world.js";
 import { colour, onThemeChange } from "./theme.js";
 import { say } from "./words.js";
@@ -73,6 +73,7 @@ class LiveScene {
       setPosture: (index) => this.choose(index),
       postures: this.model.postures,
       frames: () => this.frames,
+      reach: () => this.reach(),
     };
   }
 
@@ -90,7 +91,7 @@ class LiveScene {
     const places = (this.places = [
       [0, 0, 0],
       ...this.posture.joints.flatMap(({ corners }) => corners),
-      ...(this.isTurn ? postureOf(this.model.arm, this.model.postures[1].q_deg).joints.flatMap(({ corners }) => corners) : []),
+      ...(this.isTurn ? placesOnTheWay(this.model) : []),
       ...this.model.postures.map(({ tip_mm }) => tip_mm),
       ...this.model.artefacts.flatMap(({ kind, at_mm, to_mm }) => (kind === "bar" ? [at_mm, to_mm] : [at_mm])),
     ]);
@@ -138,9 +139,9 @@ class LiveScene {
     this.button = element("button", { type: "button", class: "reset" }, say("reset_view"));
     const { place, show } = livePlace(this.figure);
     this.place = place;
-    this.view = element("div", { class: "view" }, this.canvas, this.button, this.readout);
+    this.view = element("div", { class: "view" }, this.canvas, this.button);
     place.classList.add("scene");
-    place.append(this.view, this.panel.element, this.legend());
+    place.append(this.view, this.readout, this.panel.element, this.legend());
     show();
     this.panel.show(this.q_deg, this.chosen);
     this.controls = new OrbitControls(this.camera, this.canvas);
@@ -158,6 +159,7 @@ class LiveScene {
       ...(has(true) ? [item("◆", 1, say("check_rows"))] : []),
       ...(this.model.artefacts.length > 0 ? [item("■", 2, say("artefacts"))] : []),
       element("li", {}, `${say("grid")} ${numberText(this.spacing)} mm`),
+      element("li", {}, say("scene_hint")),
     );
   }
 
@@ -170,6 +172,12 @@ class LiveScene {
     this.button.addEventListener("click", () => this.reset());
     new ResizeObserver(() => this.draw()).observe(this.view);
     onThemeChange(() => this.paint());
+  }
+
+  // How far everything goes from the middle of the view; 1: to its edge.
+  reach() {
+    const seen = this.places.map((place) => new Vector3(...place).project(this.camera));
+    return Math.max(...seen.flatMap(({ x, y }) => [Math.abs(x), Math.abs(y)]));
   }
 
   turn(i, deg) {
@@ -186,8 +194,7 @@ class LiveScene {
 
   // A part of the way from the first posture to the second.
   goAlong(part) {
-    const [from, to] = this.model.postures;
-    this.q_deg = from.q_deg.map((deg, i) => deg + part * (to.q_deg[i] - deg));
+    this.q_deg = readingsAlong(this.model.postures, part);
     this.chosen = null;
     this.move(part);
   }
@@ -216,7 +223,7 @@ class LiveScene {
 
   reset() {
     this.controls.target.copy(this.middle);
-    lookAt(this.camera, this.middle, this.places, this.view.clientWidth / this.view.clientHeight || 1);
+    lookAt(this.camera, this.middle, this.places, this.view.clientWidth / this.view.clientHeight || 1, this.isTurn);
     this.controls.update();
     this.say();
     this.draw();

@@ -5,6 +5,7 @@ import { PerspectiveCamera, Vector3 } from "three";
 
 const VIEW_DEG = 35; // from top to bottom
 const FILLED = 0.85; // part of the view that everything takes at first
+const FILLED_BY_TURN = 0.75; // of a half turn, whose letters and thickness reach further out
 const FROM = new Vector3(0.55, -0.75, 0.42).normalize();
 const TURNS = { ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, -0.1], ArrowDown: [0, 0.1] }; // around, over; rad
 const FACTORS = { "+": 0.85, "-": 1 / 0.85 };
@@ -18,10 +19,10 @@ export function cameraFor(size) {
 }
 
 // Goes where all places are just in view about the middle.
-export function lookAt(camera, middle, places, aspect) {
+export function lookAt(camera, middle, places, aspect, isTurn = false) {
   const right = new Vector3().crossVectors(camera.up, FROM).normalize();
   const up = new Vector3().crossVectors(FROM, right);
-  const rise = FILLED * Math.tan((VIEW_DEG * Math.PI) / 360);
+  const rise = (isTurn ? FILLED_BY_TURN : FILLED) * Math.tan((VIEW_DEG * Math.PI) / 360);
   const run = rise * aspect;
   const distance = places.reduce((least, place) => {
     const from = new Vector3(...place).sub(middle);

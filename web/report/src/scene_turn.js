@@ -6,6 +6,18 @@ import { postureOf } from "./kinematics.js";
 import { ArmBody, stretch, tube } from "./scene_arm.js";
 import { letter } from "./scene_world.js";
 
+const STOPS = [0.25, 0.5, 0.75, 1]; // of the way
+
+// Readings of the arm a part of the way from the first posture to the second.
+export function readingsAlong([from, to], part) {
+  return from.q_deg.map((deg, i) => deg + part * (to.q_deg[i] - deg));
+}
+
+// Where the arm gets to on its way.
+export function placesOnTheWay({ arm, postures }) {
+  return STOPS.flatMap((part) => postureOf(arm, readingsAlong(postures, part)).joints.flatMap(({ corners }) => corners));
+}
+
 export class HalfTurn {
   constructor({ arm, postures, turning_joint }, size, materials) {
     this.size = size;

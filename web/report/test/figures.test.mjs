@@ -71,13 +71,36 @@ test("a calibration is shown in charts and in space", async () => {
 test("the button changes the colours of everything", async () => {
   const page = await openReport(browser, reports["calibration.en"], { colorScheme: "light" });
   await showAllFigures(page);
-  const look = () => page.evaluate(() => [getComputedStyle(document.body).backgroundColor, document.querySelector(".plot canvas").toDataURL().length]);
-  const [paper, chart] = await look();
+  const look = async () => {
+    await painted(page);
+    return page.evaluate(() => [getComputedStyle(document.body).backgroundColor, ...[...document.querySelectorAll(".live-view canvas")].map((canvas) => canvas.toDataURL())]);
+  };
+  const before = await look();
   await page.click("#armcal-theme");
-  const [otherPaper, otherChart] = await look();
-  assert.notEqual(paper, otherPaper);
-  assert.notEqual(chart, otherChart);
+  const after = await look();
+  assert.ok(before.length > 4);
+  assert.deepEqual(before.map((picture, i) => picture !== after[i]), before.map(() => true));
   assert.equal(await page.getAttribute("#armcal-theme", "aria-pressed"), "true");
+  await page.context().close();
+});
+
+// Ticks were those of the size before, and paper left a chart with those of hardly any.
+test("charts are the same again after paper and after a narrow window", async () => {
+  const page = await openReport(browser, reports["calibration.en"]);
+  await showAllFigures(page);
+  const look = async () => {
+    for (let i = 0; i < 3; ++i) await painted(page);
+    return page.evaluate(() => [...document.querySelectorAll(".plot canvas")].map((canvas) => canvas.toDataURL()));
+  };
+  const before = await look();
+  await page.emulateMedia({ media: "print" });
+  await painted(page);
+  await page.emulateMedia({ media: "screen" });
+  assert.deepEqual((await look()).map((picture, i) => picture === before[i]), before.map(() => true), "after paper");
+  await page.setViewportSize({ width: 390, height: 844 });
+  await look();
+  await page.setViewportSize({ width: 1280, height: 900 });
+  assert.deepEqual((await look()).map((picture, i) => picture === before[i]), before.map(() => true), "after a narrow window");
   await page.context().close();
 });
 

@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: the armcal authors
 // SPDX-License-Identifier: Apache-2.0
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { openBrowser, openReport, showAllFigures } from "./browser.mjs";
 import { reportsOf } from "./reports.mjs";
-import { armcal, findTool, run, temporaryFolder } from "./tools.mjs";
+import { armcal, example, findTool, run, temporaryFolder } from "./tools.mjs";
 
 const A4 = { width: 595, height: 842 }; // points
 const COUNTERS = { en: (x, y) => `Page ${x} of ${y}`, zh: (x, y) => `第 ${x} 页，共 ${y} 页` };
@@ -16,6 +15,7 @@ let browser;
 before(async () => (browser = await openBrowser()));
 after(() => browser.close());
 
+const pagesOf = (pdf) => run(findTool("pdftotext"), pdf, "-").split("\f").slice(0, -1);
 // Chromium and Chinese fonts put blanks where a reader sees none.
 const squeezed = (text) => text.replace(/\s+/g, "");
 
@@ -34,7 +34,7 @@ for (const [name, path] of Object.entries(reports)) {
     }));
     assert.deepEqual(shown, { paper: "rgb(255, 255, 255)", live: 0, folded: 0 });
 
-    const pages = run(findTool("pdftotext"), pdf, "-").split("\f").slice(0, -1);
+    const pages = pagesOf(pdf);
     pages.forEach((text, i) => assert.ok(squeezed(text).includes(squeezed(COUNTERS[language](i + 1, pages.length))), `page ${i + 1}`));
     if (name === "calibration.en") assert.deepEqual(await wordsNotOn(pages.join(" "), page), []);
     assert.deepEqual(widerThanPaper(pdf), []);
@@ -59,10 +59,48 @@ function widerThanPaper(pdf) {
     .map(([, , , , , text]) => text);
 }
 
-test("paper has our number where the report has one, and fonts are in the file", async () => {
-  const html = readFileSync(reports["calibration.en"], "utf8");
-  assert.match(html, /@page\{@bottom-left\{content:/);
-  const fonts = run(findTool("pdffonts"), join(folder, "calibration.zh.pdf")).split("\n").slice(2).filter(Boolean);
-  assert.ok(fonts.length > 0);
-  for (const font of fonts) assert.match(font, /\byes\s+(yes|no)\s+(yes|no)\s+\d+\s+\d+\s*$/, font);
+// Tables of 45 rows about as high as a page, and of 8 rows near its foot, a little further down on each page.
+test("no row of a table stands alone on a page", async () => {
+  const page = await openReport(browser, reportsOf("fit")["fit.en"], { javaScriptEnabled: false });
+  await page.evaluate(() => {
+    const table = (name, count) => {
+      const rows = Array.from({ length: count }, (_, i) => `<tr><th class="text">${name}row${i}</th><td class="num">1</td></tr>`);
+      return `<div class="table"><p class="caption">${name}caption</p><div class="scroll"><table><thead><tr><th class="text">Name</th><th class="num">n</th></tr></thead><tbody>${rows.join("")}</tbody></table></div><p class="note">${name}note</p></div>`;
+    };
+    const pages = [[5, 45], [212, 8]].flatMap(([from_mm, count]) =>
+      Array.from({ length: 10 }, (_, k) => `<section style="break-before: page"><div style="height: ${from_mm + 1.3 * k}mm"></div>${table(`t${count}n${k}`, count)}</section>`),
+    );
+    document.querySelector("main").innerHTML = pages.join("");
+  });
+  const pdf = join(folder, "rows.pdf");
+  await page.pdf({ path: pdf, preferCSSPageSize: true });
+  let rows = 0;
+  for (const text of pagesOf(pdf)) {
+    const found = text.match(/t\d+n\d+row\d+/g) ?? [];
+    rows += found.length;
+    assert.notEqual(found.length, 1, `${found} is alone`);
+    if (/caption|note/.test(text)) assert.ok(found.length > 1, `${text} has no rows`);
+  }
+  assert.equal(rows, 10 * (45 + 8));
+  await page.context().close();
 });
+
+const REPORT = { en: "Report 2026-0117", zh: "报告编号 2026-0117" };
+
+for (const [language, number] of Object.entries(REPORT)) {
+  test(`paper in ${language} has our number and its own on every page, and fonts are in the file`, () => {
+    const pdf = join(folder, `numbered.${language}.pdf`);
+    const html = join(folder, `numbered.${language}.html`);
+    armcal("calibrate", example("calibration", "tracker.session.toml"), "--details", example("report", "laboratory.details.toml"), "--report", html, "--lang", language);
+    armcal("report", html, "--pdf", pdf, "--lang", language);
+    const pages = pagesOf(pdf);
+    assert.ok(pages.length > 2);
+    pages.forEach((text, i) => {
+      assert.ok(squeezed(text).includes(squeezed(number)), `no number on page ${i + 1}`);
+      assert.ok(squeezed(text).includes(squeezed(COUNTERS[language](i + 1, pages.length))), `page ${i + 1} is not counted`);
+    });
+    const fonts = run(findTool("pdffonts"), pdf).split("\n").slice(2).filter(Boolean);
+    assert.ok(fonts.length > 0);
+    for (const font of fonts) assert.match(font, /\byes\s+(yes|no)\s+(yes|no)\s+\d+\s+\d+\s*$/, font);
+  });
+}

@@ -131,3 +131,19 @@ test("a half turn is drawn, and turns from A to B when asked", async () => {
   assert.deepEqual(other.complaints, []);
   await other.context().close();
 });
+
+test("a half turn is whole in its view on every width, and nothing covers it", async () => {
+  for (const width of [1280, 390]) {
+    const other = await openReport(browser, reports["symmetric-point.en"], { viewport: { width, height: 844 } });
+    await showAllFigures(other);
+    await painted(other);
+    const reaches = await other.evaluate(() => armcalReport.scenes.map((scene) => scene.reach()));
+    assert.ok(reaches.length > 3);
+    for (const reach of reaches) assert.ok(reach > 0.4 && reach < 0.78, `${reach} of the view on ${width} px`);
+    const view = await other.locator(".scene .view").first().boundingBox();
+    const readout = await other.locator(".scene .readout").first().boundingBox();
+    assert.ok(readout.y >= view.y + view.height);
+    assert.equal(await other.locator(".scene .legend").first().getByText("Drag to turn the view").count(), 1);
+    await other.context().close();
+  }
+});

@@ -331,6 +331,16 @@ std::vector<LegendEntry> legend_of(const ArmDrawing& words) {
            drawing.path(arrow_path({x - 9.0, y}, {x + 10.0, y}), arrow_attributes(is_check));
          }});
   }
+  const bool has_arrows =
+      std::any_of(words.scene.postures.begin(), words.scene.postures.end(),
+                  [](const ScenePosture& posture) { return posture.residual_mm.has_value(); });
+  if (has_arrows && !words.arrows.empty()) {
+    entries.push_back({words.arrows, [](SvgDrawing& drawing, double x, double y) {
+                         drawing.path(arrow_path({x - 10.0, y}, {x + 10.0, y}),
+                                      "class=\"line\" stroke=\"currentColor\" "
+                                      "stroke-width=\"1.5\"");
+                       }});
+  }
   return entries;
 }
 

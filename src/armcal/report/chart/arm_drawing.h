@@ -16,7 +16,8 @@ struct ArmDrawing {
   std::string title;
   std::string text;
   std::string nothing;     ///< said where no posture can be shown
-  std::string fit, check;  ///< words of the legend; of vectors, with their enlargement
+  std::string fit, check;  ///< words of the legend
+  std::string arrows;      ///< what arrows are, with their enlargement: there too
   ArmScene scene;
   std::size_t shown = 0;  ///< posture at which the arm is drawn; of the others only tips are
 };

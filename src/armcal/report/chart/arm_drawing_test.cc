@@ -57,6 +57,15 @@ TEST(ArmDrawings, EveryTipIsSeenAndTheArmIsNotCut) {
   }
 }
 
+// The enlargement stood in the title, where it stayed when the slider of the live scene changed it.
+TEST(ArmDrawings, TheLegendSaysHowMuchResidualsAreEnlarged) {
+  ArmDrawing drawing = random_drawing(6, 10);
+  drawing.arrows = "residuals x 500";
+  EXPECT_TRUE(SvgReader(figure_of(drawing).svg).says("residuals x 500"));
+  for (ScenePosture& posture : drawing.scene.postures) posture.residual_mm.reset();
+  EXPECT_FALSE(SvgReader(figure_of(drawing).svg).says("residuals x 500"));
+}
+
 TEST(ArmDrawings, OfAnArmThatCannotStandItIsSaid) {
   ArmDrawing drawing = random_drawing(6, 0);
   EXPECT_TRUE(SvgReader(figure_of(drawing).svg).says("no postures"));

@@ -19,7 +19,7 @@ constexpr double kMapWidth = 480.0;
 constexpr double kMapMostNames = 130.0;  // room for names
 constexpr double kLeastCell = 13.0;      // a name is as high
 constexpr double kMostCell = 40.0;
-constexpr double kSigned = 0.15;  // of the full colour: weaker cells have no sign
+constexpr double kSigned = 0.15;  // of the full colour: weaker cells have no sign, unless asked for
 constexpr int kMapShades = 20;
 constexpr double kStrong = 0.6;  // shade on which text must be white
 constexpr std::size_t kMostHovered = 400;
@@ -152,6 +152,7 @@ class HeatPicture {
   void draw_signs(SvgDrawing& drawing) const {
     if (has_values()) {
       for (const HeatCell& cell : cells_) {
+        if (!is_marked(cell, map_.least_marked)) continue;
         const bool is_strong = std::abs(cell.shade) > kStrong * kMapShades;
         drawing.element("<g pointer-events=\"none\">");
         drawing.text(x_of(cell.column) + 0.5 * cell_, y_of(cell.row) + 0.5 * cell_ + 4.0,
@@ -166,18 +167,22 @@ class HeatPicture {
     }
     std::array<std::string, 2> signs;  // on weak and on strong shades
     for (const HeatCell& cell : cells_) {
-      if (std::abs(cell.shade) < kSigned * kMapShades) continue;
+      if (!is_marked(cell, map_.least_marked > 0.0 ? map_.least_marked : kSigned)) continue;
       const double half = 0.22 * cell_;
       const double x = x_of(cell.column) + 0.5 * cell_;
       const double y = y_of(cell.row) + 0.5 * cell_;
       std::string sign = fmt::format("M{}h{}", point(x - half, y), coordinate(2.0 * half));
-      if (cell.shade > 0) {
+      if (cell.value > 0.0) {
         sign += fmt::format("M{}v{}", point(x, y - half), coordinate(2.0 * half));
       }
       signs[std::abs(cell.shade) > kStrong * kMapShades ? 1 : 0] += sign;
     }
     drawing.path(signs[0], "class=\"cell-sign\" stroke=\"currentColor\" pointer-events=\"none\"");
     drawing.path(signs[1], "class=\"cell-sign\" stroke=\"#fff\" pointer-events=\"none\"");
+  }
+
+  [[nodiscard]] bool is_marked(const HeatCell& cell, double least) const {
+    return std::abs(cell.value) >= least * largest_;
   }
 
   [[nodiscard]] bool has_values() const {

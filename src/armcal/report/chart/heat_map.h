@@ -20,6 +20,9 @@ struct HeatMap {
   Eigen::MatrixXd values;  ///< a cell that is not finite stays blank
   /// Of the full colour; 0: the largest value there is.
   double largest = 0.0;
+  /// Part of the full colour from which a cell has a number or a sign; 0: all have numbers where
+  /// there is room, else signs from 0.15 on.
+  double least_marked = 0.0;
   int decimals = 2;       ///< of values in cells and when hovered
   std::string key_label;  ///< beside the colour key, with unit
 };

@@ -52,6 +52,22 @@ TEST(HeatMaps, SignsCanBeReadWithoutColours) {
   EXPECT_EQ(crosses, 800u);
 }
 
+TEST(HeatMaps, CellsWeakerThanAskedForHaveNeitherNumberNorSign) {
+  HeatMap small = random_map(1, 4);
+  small.values << 1.0, -0.021, 0.019, 0.0;
+  small.least_marked = 0.02;
+  const SvgReader numbers(figure_of(small).svg);
+  EXPECT_EQ(numbers.count(".//text[@class='value']"), 2u);
+  EXPECT_EQ(numbers.count("./path/title"), 4u);  // hovering tells them all
+  HeatMap large = random_map(20, 20);
+  large.values.setConstant(-0.019);
+  large.values(0, 0) = 1.0;
+  large.values(3, 4) = -0.021;
+  large.least_marked = 0.02;
+  // A plus and a dash.
+  EXPECT_EQ(SvgReader(figure_of(large).svg).starts("./path[@class='cell-sign']").size(), 3u);
+}
+
 TEST(HeatMaps, CellsThatAreNotFiniteStayBlank) {
   HeatMap map = random_map(3, 3);
   map.values(1, 1) = std::numeric_limits<double>::quiet_NaN();

@@ -55,6 +55,10 @@ std::vector<double> some_orders(std::size_t n) {
   return orders;
 }
 
+bool lies_beyond(const HistogramBins& bins, double value) {
+  return value < bins.edges.front() || value > bins.edges.back();
+}
+
 }  // namespace
 
 HistogramBins histogram_bins(std::span<const double> values) {
@@ -86,8 +90,7 @@ HistogramBins histogram_bins(std::span<const double> values) {
   for (const double value : sorted) {
     const double bin = std::floor(value / step) - first;
     const double inside = std::clamp(bin, 0.0, static_cast<double>(count - 1));
-    const bool is_beyond = value < bins.edges.front() || value > bins.edges.back();
-    bins.beyond += is_beyond ? 1 : 0;
+    if (lies_beyond(bins, value)) ++bins.beyond;
     bins.counts[static_cast<std::size_t>(inside)] += 1.0;
   }
   return bins;
@@ -114,9 +117,14 @@ Chart with_normal_quantiles(Chart chart, const QuantilePlotNames& names,
   const std::vector<double> sorted = sorted_finite(values);
   if (sorted.empty()) return chart;
   const auto n = static_cast<double>(sorted.size());
-  ChartSeries points{.name = names.points, .mark = Mark::dots, .style = 0, .y = sorted};
-  for (double i = 1.0; i <= n; ++i) points.x.push_back(blom(i, n));
-  const double end = std::max(1.0, -points.x.front());
+  const HistogramBins bins = histogram_bins(sorted);
+  ChartSeries points{.name = names.points, .mark = Mark::dots, .style = 0};
+  for (std::size_t k = 0; k < sorted.size(); ++k) {
+    if (lies_beyond(bins, sorted[k])) continue;
+    points.x.push_back(blom(static_cast<double>(k + 1), n));
+    points.y.push_back(sorted[k]);
+  }
+  const double end = std::max(1.0, -blom(1.0, n));
   ChartSeries diagonal{
       .name = names.diagonal, .mark = Mark::line, .style = 1, .x = {-end, end}, .y = {-end, end}};
   ChartSeries low{.name = names.band, .mark = Mark::line, .style = 2};

@@ -35,7 +35,9 @@ struct QuantilePlotNames {
 };
 /// Adds the normal quantile plot: each sorted value over the quantile of (i - 3/8) / (n + 1/4)
 /// (Blom 1958), the diagonal, and the pointwise 95 % band of the order statistics, which are those
-/// of a beta distribution (i, n + 1 - i) put through the normal quantile.
+/// of a beta distribution (i, n + 1 - i) put through the normal quantile. Values beyond the edges
+/// of histogram_bins(values) keep their places in the order but are not drawn: one far off would
+/// press all others to the ground.
 [[nodiscard]] Chart with_normal_quantiles(Chart chart, const QuantilePlotNames& names,
                                           std::span<const double> values);
 

@@ -99,6 +99,16 @@ TEST(QuantilePlots, TheBandHoldsAboutTheShareThatItSays) {
   EXPECT_NEAR(static_cast<double>(inside) / all, 0.95, 0.04);
 }
 
+TEST(QuantilePlots, AValueFarAwayDoesNotHideTheOthers) {
+  std::vector<double> values = normal_values(100);
+  values.push_back(1e9);
+  const ChartSeries points = with_normal_quantiles({}, {"r", "d", "b"}, values).series[0];
+  ASSERT_EQ(points.y.size(), 100U);
+  EXPECT_LT(points.y.back(), 10.0);
+  // The 100th of 101, not of 100: what is not drawn still counts.
+  EXPECT_NEAR(points.x.back(), normal_quantile((100.0 - 0.375) / 101.25), 1e-12);
+}
+
 TEST(QuantilePlots, OneValueAndThousandsAreDrawn) {
   for (const int count : {0, 1, 2, 5000}) {
     const Chart chart = with_normal_quantiles({.id = "q"}, {"r", "d", "b"}, normal_values(count));

@@ -53,6 +53,21 @@ Data list_of(const std::vector<std::string>& texts) {
   return list;
 }
 
+// Too long for a page of paper to hold it whole: it may break there.
+bool is_long(const std::string& text) {
+  constexpr std::size_t kLettersOfLine = 100;
+  constexpr std::size_t kMostLines = 40;
+  std::size_t lines = 1;
+  std::size_t letters = 0;
+  for (const char c : text) {
+    const bool is_full = c == '\n' || ++letters == kLettersOfLine;
+    if (!is_full) continue;
+    ++lines;
+    letters = 0;
+  }
+  return lines > kMostLines;
+}
+
 Data data_of(const Facts& facts) {
   Data rows(Data::type::list);
   for (const auto& [name, value] : facts.rows) {
@@ -107,6 +122,7 @@ struct BlockData {
   Data operator()(const Verbatim& verbatim) const {
     Data inner;
     inner.set("text", text_data(verbatim.text));
+    inner.set("is_long", boolean(is_long(verbatim.text)));
     return kind("verbatim", inner);
   }
   Data operator()(const Signature& signature) const {

@@ -68,6 +68,15 @@ TEST(PageHtml, HasEveryTextOfThePage) {
   EXPECT_THAT(html, HasSubstr("<svg></svg>"));
 }
 
+TEST(PageHtml, TellsTextThatAPageOfPaperHoldsFromLonger) {
+  const auto html_with = [](const std::string& text) {
+    return html_in("en", {.sections = {{.id = "all", .blocks = {Verbatim{text}}}}});
+  };
+  EXPECT_THAT(html_with("armcal fit sphere"), HasSubstr("<pre>armcal"));
+  EXPECT_THAT(html_with("a" + std::string(60, '\n')), HasSubstr("<pre class=\"long\">a"));
+  EXPECT_THAT(html_with(std::string(9000, 'a')), HasSubstr("<pre class=\"long\">a"));
+}
+
 TEST(PageHtml, IsInTheLanguageOfTheReader) {
   EXPECT_THAT(html_in("en", page_of_all_blocks("x")), HasSubstr("<html lang=\"en\">"));
   const std::string chinese = html_in("zh", page_of_all_blocks("x"));

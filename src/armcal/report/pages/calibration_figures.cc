@@ -155,6 +155,8 @@ Figure quantile_figure(const std::vector<double>& components, const Language& sa
   chart.id = "residual-quantiles";
   chart.title = say("figures.quantiles");
   chart.text = say("figures.quantiles_text");
+  const std::size_t beyond = histogram_bins(components).beyond;
+  if (beyond > 0) chart.text += say("figures.quantiles_beyond", beyond);
   chart.x.label = say("figures.normal_axis");
   chart.y.label = say("figures.standardised_axis");
   chart.nothing = say("figures.nothing");
@@ -339,12 +341,12 @@ Section arm_section(const DocumentView& document, const std::vector<ResidualRow>
   }
   drawing.scene.artefacts = found_points(document, reach_mm(drawing.scene.arm));
   drawing.scene.enlargement = nice_enlargement(drawing.scene);
-  const std::string enlargement = fmt::format("{:g}", drawing.scene.enlargement);
-  drawing.title = say("arm.drawing", enlargement);
+  drawing.title = say("arm.drawing");
   drawing.text = say("arm.drawing_text");
   drawing.nothing = say("figures.nothing");
   drawing.fit = say("calibration.set_fit");
   drawing.check = say("calibration.set_check");
+  drawing.arrows = say("arm.arrows", fmt::format("{:g}", drawing.scene.enlargement));
   Section section{"arm", say("arm.title"), say("arm.lead"), {}};
   section.blocks.emplace_back(Figures{{figure_of(drawing)}});
   return section;

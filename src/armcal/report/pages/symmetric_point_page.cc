@@ -398,6 +398,7 @@ bool is_angle(const std::string& parameter) {
 // Assumptions that shift nothing have no column.
 std::optional<Figure> leakage_of(const DocumentView& document, const Language& say) {
   constexpr double kNothing = 1e-3;
+  constexpr double kLeastMarked = 0.02;
   const std::vector<std::string> recovered = document.texts("leakage_rows");
   const std::vector<std::string> assumed = document.texts("leakage_columns");
   const auto rows = document.list("leakage");
@@ -421,6 +422,8 @@ std::optional<Figure> leakage_of(const DocumentView& document, const Language& s
   map.title = say("symmetric.leakage");
   map.text = say(document.text("leakage_of") == "chain" ? "symmetric.leakage_of_chain"
                                                         : "symmetric.leakage_of_adjustment");
+  map.text += say("symmetric.leakage_marked", 100.0 * kLeastMarked);
+  map.least_marked = kLeastMarked;
   map.nothing = say("symmetric.no_leakage");
   map.key_label = say("symmetric.leakage_key");
   map.rows = recovered;
