@@ -199,7 +199,8 @@ class LiveChart {
       const size = this.size();
       if (this.place.clientWidth === 0 || size.width === u.width) return; // on paper
       u.setSize(size);
-      this.show(this.button.hidden ? this.full : this.ranges);
+      // Once uPlot has laid out the new size: until then equal scales would be those of the old.
+      queueMicrotask(() => this.show(this.button.hidden ? this.full : this.ranges));
     }).observe(this.place);
   }
 
