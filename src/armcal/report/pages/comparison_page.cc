@@ -105,7 +105,7 @@ std::vector<Cell> drawn_row(const DocumentView& method, std::size_t number, cons
 
 Table drawn_table(const DocumentView& document, const Language& say) {
   Table table;
-  table.columns = {{"#"},
+  table.columns = {{"#", ColumnKind::word},
                    {say("compare.method"), ColumnKind::prose},
                    {say("compare.needs"), ColumnKind::prose},
                    {say("compare.readings")},
@@ -223,7 +223,7 @@ std::vector<Cell> session_row(const DocumentView& method, std::size_t number, co
 
 Page session(const DocumentView& document, const Language& say) {
   Table table;
-  table.columns = {{"#"},
+  table.columns = {{"#", ColumnKind::word},
                    {say("compare.method"), ColumnKind::prose},
                    {say("compare.parameters")},
                    {say("compare.fitted_rms")},
