@@ -223,16 +223,11 @@ std::vector<Cell> session_row(const DocumentView& method, std::size_t number, co
 
 Page session(const DocumentView& document, const Language& say) {
   Table table;
-  table.columns = {{"#", ColumnKind::word},
-                   {say("compare.method"), ColumnKind::prose},
-                   {say("compare.parameters")},
-                   {say("compare.fitted_rms")},
-                   {say("compare.held_out_rms")},
-                   {say("compare.mean")},
-                   {say("compare.max")},
-                   {say("compare.over_stated")},
-                   {say("compare.time")},
-                   {say("compare.remark"), ColumnKind::prose}};
+  table.columns = {{"#", ColumnKind::word},       {say("compare.method"), ColumnKind::prose},
+                   {say("compare.parameters")},   {say("compare.fitted_rms")},
+                   {say("compare.held_out_rms")}, {say("compare.mean")},
+                   {say("compare.max")},          {say("compare.over_stated")},
+                   {say("compare.time")},         {say("compare.remark"), ColumnKind::prose}};
   std::vector<Point> points;
   std::optional<double> nominal_mm;
   for (const DocumentView& method : document.list("methods")) {
