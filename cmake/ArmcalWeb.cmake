@@ -85,5 +85,5 @@ if(ARMCAL_TESTS)
   endif()
   add_test(NAME report_in_browser
            COMMAND ${test_with} ${ARMCAL_WEB_DIR}/test/run.mjs $<TARGET_FILE:armcal> ${PROJECT_SOURCE_DIR}/examples)
-  set_tests_properties(report_in_browser PROPERTIES SKIP_RETURN_CODE 77 LABELS browser TIMEOUT 600)
+  set_tests_properties(report_in_browser PROPERTIES SKIP_RETURN_CODE 77 LABELS browser TIMEOUT 600 COST 1000)
 endif()
