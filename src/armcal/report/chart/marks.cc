@@ -21,7 +21,9 @@ bool is_open(Shape shape) { return shape == Shape::plus || shape == Shape::cross
 std::string outline(Shape shape, bool hollow, double x, double y, double r) {
   const std::string s = coordinate(r);
   const std::string d = coordinate(2.0 * r);
-  const auto start = [&](double dx, double dy) { return "M" + point(x + dx, y + dy); };
+  const auto start = [&](double dx, double dy) {
+    return fmt::format("M{}", point(x + dx, y + dy));
+  };
   switch (shape) {
     case Shape::circle:
       return hollow ? fmt::format("{}a{} {} 0 1 1 0 .01z", start(-r, 0.0), s, s)

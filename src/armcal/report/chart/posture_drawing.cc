@@ -135,7 +135,7 @@ std::string dashed_arm(const StandingArm& arm, const SpaceView& view) {
   std::string joints;
   for (int i = 0; i <= arm.joint_count(); ++i) {
     const Eigen::Vector2d at = view.at(arm.point(i));
-    line += (i == 0 ? "M" : "L") + xy(at);
+    line += fmt::format("{}{}", i == 0 ? "M" : "L", xy(at));
     if (i < arm.joint_count()) joints += fmt::format("M{}h0", xy(at));
   }
   const Eigen::Vector2d tip = view.at(arm.tip_mm);
@@ -155,7 +155,8 @@ std::string dashed_arm(const StandingArm& arm, const SpaceView& view) {
 std::string shadow(const StandingArm& arm, const SpaceView& view, double ground_mm) {
   std::string line;
   for (int i = 0; i <= arm.joint_count(); ++i) {
-    line += (i == 0 ? "M" : "L") + xy(view.at(on_ground(arm.point(i), view.up(), ground_mm)));
+    const Eigen::Vector2d at = view.at(on_ground(arm.point(i), view.up(), ground_mm));
+    line += fmt::format("{}{}", i == 0 ? "M" : "L", xy(at));
   }
   return path(line,
               "class=\"shadow\" stroke=\"currentColor\" stroke-opacity=\".1\" "
