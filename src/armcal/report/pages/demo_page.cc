@@ -27,7 +27,7 @@ Table table2_of(const DocumentView& document, const Language& say) {
                    {say("parameters.unit"), ColumnKind::word}};
   const DocumentView printed = document["table2"];
   for (const auto& [name, ignored] : printed.json().items()) {
-    const auto cell = [&](const char* key) {
+    const auto cell = [&document, &name = name](const char* key) {
       const auto value = document[key].number_if(name);
       return Cell{value ? fixed(*value, kPrintedDecimals) : "\u2013"};
     };
