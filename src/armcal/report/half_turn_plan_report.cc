@@ -10,17 +10,13 @@
 #include "armcal/core/units.h"
 #include "armcal/io/arm_file.h"
 #include "armcal/report/number_format.h"
+#include "armcal/report/shown_number.h"
 #include "armcal/report/text_table.h"
 
 namespace armcal {
 namespace {
 
-// Angles that people set: whole degrees where they are whole.
-std::string angle(double rad) {
-  const double deg = degrees_from_radians(rad);
-  const bool whole = std::abs(deg - std::round(deg)) < 1e-6;
-  return fixed(deg, whole ? 0 : 1);
-}
+std::string angle(double rad) { return set_angle_text(degrees_from_radians(rad)); }
 
 // The size of an error; none where no size is ever found.
 std::string size(double mm) { return std::isfinite(mm) ? fixed(mm, 3) : "-"; }

@@ -5,8 +5,10 @@
 #include <fmt/format.h>
 
 #include <cctype>
+#include <cmath>
 
 #include "armcal/core/units.h"
+#include "armcal/report/number_format.h"
 
 namespace armcal {
 
@@ -18,6 +20,11 @@ ShownUnit shown_unit(std::string_view parameter, std::string_view unit) {
 }
 
 std::string whole(double count) { return fmt::format("{:.0f}", count); }
+
+std::string set_angle_text(double deg) {
+  constexpr double kWhole = 1e-6;
+  return fixed(deg, std::abs(deg - std::round(deg)) < kWhole ? 0 : 1);
+}
 
 std::string condition_text(const std::optional<double>& condition_number) {
   return condition_number ? fmt::format("{:.3g}", *condition_number) : "\u2013";

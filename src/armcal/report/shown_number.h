@@ -20,6 +20,9 @@ struct ShownUnit {
 /// A count, without decimals.
 [[nodiscard]] std::string whole(double count);
 
+/// An angle that people set: whole degrees where they are whole, else tenths.
+[[nodiscard]] std::string set_angle_text(double deg);
+
 /// A condition number; a dash where it is not finite, which a document has as null.
 [[nodiscard]] std::string condition_text(const std::optional<double>& condition_number);
 

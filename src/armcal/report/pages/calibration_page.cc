@@ -170,12 +170,10 @@ std::string strongest_names(const DocumentView& combination, const std::string& 
   std::erase_if(parts, [&](const auto& part) { return !(part.first > kNegligible * largest); });
   std::stable_sort(parts.begin(), parts.end(),
                    [](const auto& one, const auto& other) { return one.first > other.first; });
-  std::string names;
-  for (std::size_t i = 0; i < std::min(kNamed, parts.size()); ++i) {
-    names += fmt::format("{}{}", i > 0 ? say("calibration.name_separator") : "", parts[i].second);
-  }
-  if (parts.size() > kNamed) names = say("calibration.and_more", names, parts.size() - kNamed);
-  return names;
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < std::min(kNamed, parts.size()); ++i) names.push_back(parts[i].second);
+  if (parts.size() <= kNamed) return listed(names, say);
+  return say("calibration.and_more", listed(names, say), parts.size() - kNamed);
 }
 
 // Both languages say it from the combination; other reasons stand as the document words them.
@@ -188,13 +186,12 @@ std::string unseen_text(const DocumentView& direction, const Language& say) {
 // Estimated, but more from what was known before than from the readings.
 std::string known_from_priors(const DocumentView& document, const Language& say) {
   constexpr double kHalf = 0.5;
-  std::string names;
+  std::vector<std::string> names;
   for (const DocumentView& parameter : document.list("parameters")) {
     if (parameter.text("status") != "prior" || parameter.number("data_share") >= kHalf) continue;
-    names += fmt::format("{}{}", names.empty() ? "" : say("calibration.name_separator"),
-                         parameter.text("name"));
+    names.push_back(parameter.text("name"));
   }
-  return names;
+  return listed(names, say);
 }
 
 Section calibration_unseen_section(const DocumentView& document, const Language& say) {

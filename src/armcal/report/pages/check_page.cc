@@ -47,13 +47,16 @@ std::size_t broken_now(const DocumentView& document, const Language& say) {
   return count;
 }
 
+bool exceeds_at_last(const TrendHistory& history) {
+  return history.limit_mm && !history.checks.empty() &&
+         std::abs(history.checks.back().value_mm) > *history.limit_mm;
+}
+
 // Does the last check exceed its limit?
 bool exceeds_now(const DocumentView& document, const Language& say) {
   const std::vector<DocumentView> trends = document.list("trends");
   return std::any_of(trends.begin(), trends.end(), [&](const DocumentView& trend) {
-    const TrendHistory history = trend_history(trend, say);
-    return history.limit_mm && !history.checks.empty() &&
-           std::abs(history.checks.back().value_mm) > *history.limit_mm;
+    return exceeds_at_last(trend_history(trend, say));
   });
 }
 
@@ -172,12 +175,12 @@ Table last_values_table(const DocumentView& document, const Language& say) {
     const TrendHistory history = trend_history(trend, say);
     if (history.checks.empty()) continue;
     const TrendCheck& last = history.checks.back();
-    const bool exceeds = history.limit_mm && std::abs(last.value_mm) > *history.limit_mm;
-    table.rows.push_back({{history.title},
-                          {mm_text(last.value_mm), exceeds ? Tone::bad : Tone::neutral},
-                          {mm_text(history.limit_mm)},
-                          {last.number},
-                          {last.time.substr(0, 10)}});
+    table.rows.push_back(
+        {{history.title},
+         {mm_text(last.value_mm), exceeds_at_last(history) ? Tone::bad : Tone::neutral},
+         {mm_text(history.limit_mm)},
+         {last.number},
+         {last.time.substr(0, 10)}});
   }
   return table;
 }

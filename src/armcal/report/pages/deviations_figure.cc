@@ -8,6 +8,11 @@
 
 namespace armcal {
 
+bool have_signs(const std::vector<double>& deviations_mm) {
+  return std::any_of(deviations_mm.begin(), deviations_mm.end(),
+                     [](double each) { return each < 0.0; });
+}
+
 Figure deviations_figure(const std::vector<double>& deviations_mm, const DeviationWords& words,
                          const Language& say) {
   Chart chart;
@@ -25,8 +30,8 @@ Figure deviations_figure(const std::vector<double>& deviations_mm, const Deviati
     series.y.push_back(deviations_mm[i]);
     series.labels.push_back(say(words.point, i + 1));
   }
-  const auto [low, high] = std::minmax_element(deviations_mm.begin(), deviations_mm.end());
-  if (low != deviations_mm.end() && *low < 0.0) {
+  if (have_signs(deviations_mm)) {
+    const auto [low, high] = std::minmax_element(deviations_mm.begin(), deviations_mm.end());
     chart.lines = {{false, *high, say("sphere_test.largest"), Tone::neutral},
                    {false, *low, say("sphere_test.smallest"), Tone::neutral},
                    {false, 0.0, "", Tone::neutral}};

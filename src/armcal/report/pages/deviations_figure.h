@@ -16,6 +16,9 @@ struct DeviationWords {
   std::string point;  ///< key of the name of a point, with {0} for its number from 1
 };
 
+/// Are some negative? Distances in space are not.
+[[nodiscard]] bool have_signs(const std::vector<double>& deviations_mm);
+
 /// Deviations of points in their order, mm. Where some are negative, with lines at the largest and
 /// the smallest; distances without a sign need none.
 [[nodiscard]] Figure deviations_figure(const std::vector<double>& deviations_mm,

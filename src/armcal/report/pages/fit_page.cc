@@ -79,13 +79,6 @@ const char* element_of(const DocumentView& document) {
   return document.has("direction") ? "line" : "plane";
 }
 
-// Residuals of circles and lines are distances in space, without a sign.
-const char* in_order_key(const std::vector<double>& residuals_mm) {
-  const bool any_inside =
-      std::any_of(residuals_mm.begin(), residuals_mm.end(), [](double each) { return each < 0.0; });
-  return any_inside ? "fit.in_order_text" : "fit.in_order_unsigned";
-}
-
 Headline length_headline(const std::string& label, double value_mm, const std::string& note) {
   return {label, fixed(value_mm, 4), "mm", note, Tone::neutral};
 }
@@ -136,9 +129,10 @@ Page fit_page(const DocumentView& document, const Language& say) {
   page.sections.push_back(
       {"summary", say("compare.summary"), "", {headlines, element_table(document, say)}});
   const std::vector<double> residuals_mm = document.numbers("residuals_mm");
-  const DeviationWords words{say("sphere_test.in_order"), say(in_order_key(residuals_mm)),
-                             say("sphere_test.point_axis"), say("sphere_test.deviation_axis"),
-                             "sphere_test.point"};
+  const DeviationWords words{
+      say("sphere_test.in_order"),
+      say(have_signs(residuals_mm) ? "fit.in_order_text" : "fit.in_order_unsigned"),
+      say("sphere_test.point_axis"), say("sphere_test.deviation_axis"), "sphere_test.point"};
   page.sections.push_back({"points",
                            say("sphere_test.points_title"),
                            "",

@@ -4,8 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "armcal/report/number_format.h"
 #include "armcal/report/pages/arm_of.h"
 #include "armcal/report/pages/posture_figures.h"
@@ -42,12 +40,6 @@ Table half_turn_parameters(const DocumentView& document, const Language& say) {
   return table;
 }
 
-// Whole degrees where they are whole.
-std::string angle_text(double deg) {
-  constexpr double kWhole = 1e-6;
-  return fixed(deg, std::abs(deg - std::round(deg)) < kWhole ? 0 : 1);
-}
-
 Table worksheet_of(const DocumentView& document, const Language& say) {
   Table table;
   table.caption = say("half_turn_plan.worksheet");
@@ -69,8 +61,8 @@ Table worksheet_of(const DocumentView& document, const Language& say) {
     const auto turned =
         static_cast<std::size_t>(reading.ordinal("joint", static_cast<int>(joints)));
     std::vector<Cell> row = {
-        {reading.text("name")}, {fmt::format("q{}", turned)}, {angle_text(end[turned - 1])}};
-    for (const double each : start) row.push_back({angle_text(each)});
+        {reading.text("name")}, {fmt::format("q{}", turned)}, {set_angle_text(end[turned - 1])}};
+    for (const double each : start) row.push_back({set_angle_text(each)});
     row.insert(row.end(), {{fixed(reading.number("distance_mm"), 3)},
                            {fixed(reading.number("u_mm"), 4)},
                            {fixed(reading.number("redundancy"), 3)}});

@@ -10,18 +10,10 @@
 
 #include "armcal/report/number_format.h"
 #include "armcal/report/pages/symmetric_point_values.h"
+#include "armcal/report/pages/verdict_words.h"
 
 namespace armcal {
 namespace {
-
-std::string joined(const std::vector<std::string>& names, const Language& say,
-                   const char* separator = "calibration.name_separator") {
-  std::string text;
-  for (const std::string& name : names) {
-    text += fmt::format("{}{}", text.empty() ? "" : say(separator), name);
-  }
-  return text;
-}
 
 // The document names a length of the same size as "the reading R", "half of R" or "b7 as adjusted".
 std::string said_length(const std::string& name, const Language& say) {
@@ -65,10 +57,10 @@ void add_signs(const DocumentView& document, const Language& say, std::vector<st
   for (std::size_t i = 0; i < good; ++i) {
     const std::vector<std::string> turned = signs[i].texts("turned");
     best.push_back(turned.empty() ? say("symmetric.signs_as_drawn")
-                                  : say("symmetric.signs_turned", joined(turned, say)));
+                                  : say("symmetric.signs_turned", listed(turned, say)));
   }
   std::string sentence = say(good == 1 ? "symmetric.signs_one" : "symmetric.signs_several",
-                             signs.size(), good, joined(best, say, "symmetric.signs_separator"));
+                             signs.size(), good, listed(best, say, "symmetric.signs_separator"));
   const double misfit = signs[0].number_if("misfit").value_or(0.0);
   const auto next = good < signs.size() ? signs[good].number_if("misfit") : std::nullopt;
   if (next && misfit > 0.0) sentence += say("symmetric.signs_next", fixed(*next / misfit, 0));
@@ -91,7 +83,7 @@ void add_claims(const DocumentView& document, const Language& say,
     }
     std::vector<std::string> equals;
     for (const std::string& same : claim.texts("equals")) equals.push_back(said_length(same, say));
-    if (!equals.empty()) found.back() += say("symmetric.claim_equals", joined(equals, say));
+    if (!equals.empty()) found.back() += say("symmetric.claim_equals", listed(equals, say));
   }
 }
 
@@ -110,8 +102,8 @@ void add_failures(const DocumentView& document, const Language& say,
     const DocumentView& first = group.front();
     const std::string normalised = fixed(std::abs(first.number("normalised")), 1);
     if (group.size() > 1) {
-      found.push_back(say("symmetric.group_fails", joined(names, say), normalised, limit,
-                          joined(changes, say)));
+      found.push_back(say("symmetric.group_fails", listed(names, say), normalised, limit,
+                          listed(changes, say)));
     } else {
       found.push_back(say("symmetric.reading_fails", names.front(),
                           amount_text(symmetric_amount(first, "estimated_error"), 3),
@@ -156,10 +148,10 @@ std::vector<std::string> symmetric_findings(const DocumentView& document, const 
       unchecked.push_back(reading.text("name"));
     }
   }
-  if (!unchecked.empty()) found.push_back(say("symmetric.unchecked", joined(unchecked, say)));
+  if (!unchecked.empty()) found.push_back(say("symmetric.unchecked", listed(unchecked, say)));
   std::vector<std::string> held;
   for (const DocumentView& each : document.list("undetermined")) held.push_back(each.text("name"));
-  if (!held.empty()) found.push_back(say("symmetric.undetermined", joined(held, say)));
+  if (!held.empty()) found.push_back(say("symmetric.undetermined", listed(held, say)));
   return found;
 }
 

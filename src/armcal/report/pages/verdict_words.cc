@@ -55,8 +55,17 @@ Stamp stamp_of(Verdict verdict, std::string sentence, const Language& say) {
           tone_of(verdict)};
 }
 
+std::string listed(const std::vector<std::string>& names, const Language& say,
+                   const char* separator) {
+  return fmt::format("{}", fmt::join(names, say(separator)));
+}
+
+std::string listed(const std::vector<std::string>& names, const Language& say) {
+  return listed(names, say, "calibration.name_separator");
+}
+
 std::string run_on(const std::vector<std::string>& sentences, const Language& say) {
-  return fmt::format("{}", fmt::join(sentences, say("verification.between_sentences")));
+  return listed(sentences, say, "verification.between_sentences");
 }
 
 std::string mm_text(const std::optional<double>& value_mm, const std::optional<double>& u_mm) {

@@ -25,6 +25,11 @@ namespace armcal {
 /// The word as it stands at the head of a page, with a sentence.
 [[nodiscard]] Stamp stamp_of(Verdict verdict, std::string sentence, const Language& say);
 
+/// Names one behind the other, with what the language sets between them.
+/// @param separator  its key; that of names where none is said
+[[nodiscard]] std::string listed(const std::vector<std::string>& names, const Language& say,
+                                 const char* separator);
+[[nodiscard]] std::string listed(const std::vector<std::string>& names, const Language& say);
 /// Sentences one behind the other, as the language sets them.
 [[nodiscard]] std::string run_on(const std::vector<std::string>& sentences, const Language& say);
 
